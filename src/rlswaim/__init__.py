@@ -1,0 +1,25 @@
+"""An executable, critical edition of R. L. Swaim, *Active Control of Booster Elasticity* (1964)."""
+
+from rlswaim.ledger import ledger
+from rlswaim.locus import RootLocus, parameter_locus, root_locus
+from rlswaim.perturbation import PerturbationEquations, perturbation_equations, printed_equations
+from rlswaim.systems import dual_actuation, rate_attitude, single_sensor, two_sensor
+from rlswaim.vehicle import Booster, FlightCondition, Surface, swaim_booster
+
+__all__ = [
+    "Booster",
+    "FlightCondition",
+    "PerturbationEquations",
+    "RootLocus",
+    "Surface",
+    "dual_actuation",
+    "ledger",
+    "parameter_locus",
+    "perturbation_equations",
+    "printed_equations",
+    "rate_attitude",
+    "root_locus",
+    "single_sensor",
+    "swaim_booster",
+    "two_sensor",
+]

@@ -1,0 +1,1 @@
+"""Figures for print: every ``draw_*`` takes axes and a result, and returns the axes."""

@@ -1,0 +1,140 @@
+"""The ledger: every number that the report prints, beside the one computed here.
+
+A row of ``data/printed_*.csv`` holds the number as printed, as text: half a unit
+in its last digit is its tolerance.  The verdicts are a short fixed list, and
+each is tested both ways: a row that is said to disagree and starts to agree is
+an error too.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import pandas as pd
+
+from rlswaim import evidence
+from rlswaim.tables import read_table
+
+VERDICTS = (
+    "agrees",
+    "rounding",
+    "plot reading",
+    "misread",
+    "misprint",
+    "arithmetic slip",
+    "carried over from a slip",
+    "not reproducible",
+)
+
+
+def half_unit(printed: str) -> float:
+    """Return half a unit in the last printed digit of a number given as text.
+
+    Examples
+    --------
+    >>> half_unit("1.310"), half_unit(".0387"), half_unit("15.297e8")
+    (0.0005, 5e-05, 50000.0)
+    """
+    mantissa, _, exponent = printed.lower().replace(",", "").partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return 0.5 * 10.0 ** (int(exponent or 0) - decimals)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One printed number and what became of it."""
+
+    id: str
+    section: str
+    where: str
+    quantity: str
+    printed: str
+    unit: str
+    computed: float
+    verdict: str
+    why: str
+
+    @property
+    def value(self) -> float:
+        """The printed number."""
+        return float(self.printed.replace(",", ""))
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the computed number rounds to the printed one (half a unit in its last digit)."""
+        return abs(self.computed - self.value) <= half_unit(self.printed) * (1 + 1e-9)
+
+    @property
+    def percent(self) -> float:
+        """Difference of the computed from the printed number, in percent of the printed one."""
+        return 100 * (self.computed / self.value - 1) if self.value else float("nan")
+
+
+@cache
+def ledger() -> tuple[Entry, ...]:
+    """Return all entries, in the order of the report.
+
+    Returns
+    -------
+    tuple of Entry
+        ``.id .where .printed .computed .verdict .why``, and the quantity and its unit.
+
+    Raises
+    ------
+    KeyError
+        If a row of the table has no computation behind it.
+    """
+    entries = []
+    for section, compute in evidence.SECTIONS.items():
+        entries += _section(section, compute)
+    return tuple(entries)
+
+
+def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entry]:
+    computed = compute()
+    rows = read_table(f"printed_{section}")
+    return [
+        Entry(
+            row["id"],
+            section,
+            row["where"],
+            row["quantity"],
+            row["printed"],
+            row["unit"],
+            float(computed[row["id"]]),
+            row["verdict"],
+            row["why"],
+        )
+        for row in rows
+    ]
+
+
+def frame(section: str, start: str = "") -> pd.DataFrame:
+    """Return the entries of one section as a table for a page.
+
+    Parameters
+    ----------
+    section : str
+        ``"I"`` to ``"VII"``.
+    start : str
+        Only ids that start so, for instance ``"eq41"``.
+
+    Returns
+    -------
+    DataFrame
+        Columns: where, quantity, printed, computed, unit, difference (%), verdict, why.
+    """
+    chosen = [e for e in ledger() if e.section == section and e.id.startswith(start)]
+    return pd.DataFrame(
+        {
+            "where": [e.where for e in chosen],
+            "quantity": [e.quantity for e in chosen],
+            "printed": [e.printed for e in chosen],
+            "computed": [f"{e.computed:.5g}" for e in chosen],
+            "unit": [e.unit for e in chosen],
+            "difference (%)": [f"{e.percent:.2f}" for e in chosen],
+            "verdict": [e.verdict for e in chosen],
+            "why": [e.why for e in chosen],
+        },
+        index=pd.Index([e.id for e in chosen], name="id"),
+    )

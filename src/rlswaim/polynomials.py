@@ -1,0 +1,86 @@
+"""Polynomials and polynomial matrices; coefficients run from the constant term up."""
+
+from fractions import Fraction
+
+import numpy as np
+from numpy.polynomial import polynomial as npp
+from numpy.typing import ArrayLike, NDArray
+
+
+def determinant(matrix: NDArray) -> NDArray:
+    """Return the determinant of a polynomial matrix, expanded along its first row.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (n, n, m)
+        ``matrix[i, j]`` holds the coefficients of entry (i, j), constant term first.
+
+    Returns
+    -------
+    ndarray, shape (n (m - 1) + 1,)
+        Coefficients of the determinant, constant term first.
+    """
+    n, _, m = matrix.shape
+    if n == 1:
+        return matrix[0, 0].copy()
+    total = np.zeros(n * (m - 1) + 1)
+    for j in range(n):
+        minor = np.delete(matrix[1:], j, axis=1)
+        total += (-1) ** j * np.convolve(matrix[0, j], determinant(minor))
+    return total
+
+
+def trimmed(coefficients: ArrayLike) -> NDArray:
+    """Return the polynomial without leading zeros (at the end: constant term first)."""
+    return npp.polytrim(np.asarray(coefficients, dtype=float))
+
+
+def roots(coefficients: ArrayLike) -> NDArray:
+    """Return the roots of a polynomial, zeros at the origin exactly so.
+
+    Parameters
+    ----------
+    coefficients : array_like, shape (n + 1,)
+        Constant term first.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+    """
+    p = trimmed(coefficients)
+    at_origin = int(np.flatnonzero(p)[0]) if p.any() else 0
+    return np.concatenate([np.zeros(at_origin), npp.polyroots(p[at_origin:])]).astype(complex)
+
+
+def _exact_integers(matrix: NDArray) -> tuple[list[list[int]], int]:
+    """Return integers N and an exponent e with matrix = N / 2^e exactly."""
+    ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
+    e = max(d.bit_length() - 1 for row in ratios for _, d in row)
+    return [[n * (2**e // d) for n, d in row] for row in ratios], e
+
+
+def exact_characteristic_polynomial(A: NDArray) -> list[Fraction]:
+    """Return det(sI - A) of a matrix of floats without rounding (Faddeev and LeVerrier).
+
+    Parameters
+    ----------
+    A : ndarray, shape (n, n)
+
+    Returns
+    -------
+    list of Fraction, length n + 1
+        Coefficients, constant term first.
+    """
+    integers, e = _exact_integers(A)
+    n = len(integers)
+    N = np.array(integers, dtype=object).reshape(n, n)
+    product, coefficients = np.zeros((n, n), dtype=object), [1]
+    for k in range(1, n + 1):
+        product = N @ product + coefficients[-1] * N
+        coefficients.append(-sum(product[i, i] for i in range(n)) // k)
+    return [Fraction(c, 2 ** (e * k)) for k, c in enumerate(coefficients)][::-1]
+
+
+def characteristic_polynomial(A: NDArray) -> NDArray:
+    """Return det(sI - A), constant term first, each coefficient correctly rounded; shape (n + 1,)."""
+    return np.array([float(c) for c in exact_characteristic_polynomial(np.asarray(A, dtype=float))])
