@@ -1,38 +1,27 @@
 """Root loci: where the closed-loop roots go as a gain, or any other parameter, runs.
 
-Convention: unity negative feedback, 1 + k G(s) = 0, with k of either sign.
+Convention: negative feedback, 1 + k G(s) = 0, with k of either sign.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from functools import cached_property
 
 import control
 import numpy as np
-from numpy.polynomial import polynomial as npp
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import linear_sum_assignment
 
 from rlswaim import checks
-from rlswaim.polynomials import characteristic_polynomial, roots, trimmed
+from rlswaim.branches import continuous_branches, partners
+from rlswaim.openloop import BreakAway, Crossing, OpenLoop, System, break_aways, crossings, open_loop
+from rlswaim.polynomials import horner
 
 SCREEN = (800, 600)
 """Size (pixels) of the picture for which gains are chosen."""
+ANCHOR = 8
+"""Of a long run of gains each eighth is solved by eigenvalues, and the others from these."""
 
-
-class Crossing(NamedTuple):
-    """A crossing of the imaginary axis at s = j omega (rad/s); direction +1 is to the right."""
-
-    gain: float
-    omega: float
-    direction: int
-
-
-class BreakAway(NamedTuple):
-    """A point where branches meet: a double root at ``point`` (1/s) for ``gain``."""
-
-    gain: float
-    point: complex
+Axes = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,179 +46,194 @@ class RootLocus:
     zeros: NDArray
     break_aways: tuple[BreakAway, ...] = ()
     crossings: tuple[Crossing, ...] = ()
+    loop: OpenLoop | None = None
+
+    @cached_property
+    def condition(self) -> NDArray:
+        """Relative change of each root per relative change of the polynomial's coefficients, shape (K, n).
+
+        Above 1e3 three-digit data do not fix a root, above 1e13 double precision does not.
+        """
+        if self.loop is None:
+            raise ValueError("condition: got a locus in a general parameter, wanted one in a loop gain")
+        return _relative_condition(self.loop, self.gains, self.roots)
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """The open-loop mode that each branch leaves from (a general parameter: the first root), in words."""
+        start = int(np.abs(self.gains).argmin())
+        first = self.roots[start]
+        leaves = first if self.loop is None else _leaves(self.loop, self.gains[start], first)
+        return tuple(mode_name(pole) for pole in leaves)
 
 
-@dataclass(frozen=True, eq=False)
-class OpenLoop:
-    """A single loop as state space and as ratio of polynomials, constant term first."""
-
-    A: NDArray
-    B: NDArray
-    C: NDArray
-    D: float
-    numerator: NDArray
-    denominator: NDArray
-
-    def roots(self, gains: NDArray) -> NDArray:
-        """Return the closed-loop roots (K, n) for gains (K,), unordered."""
-        feedback = gains / (1 + gains * self.D)
-        return np.linalg.eigvals(self.A - feedback[:, None, None] * (self.B @ self.C)).astype(complex)
+def mode_name(pole: complex) -> str:
+    """Return a name for a pole (1/s), the same for both of a pair."""
+    if pole == 0:
+        return "pole at the origin"
+    return f"mode at {abs(pole):.3g} rad/s" if pole.imag else f"pole at {pole.real:.3g} 1/s"
 
 
-def open_loop(system: control.StateSpace | control.TransferFunction | Sequence[ArrayLike]) -> OpenLoop:
-    """Return the loop of a python-control LTI system, or of arrays (A, B, C).
-
-    Raises
-    ------
-    TypeError
-        If the system is no LTI system.
-    ValueError
-        If it has more than one input or output, or is improper, discrete or not finite.
-    """
-    if isinstance(system, (tuple, list)):
-        system = control.ss(*system, np.zeros((1, 1)))
-    if not isinstance(system, (control.StateSpace, control.TransferFunction)):
-        raise TypeError(f"root_locus: got {type(system).__name__}, wanted a StateSpace or TransferFunction")
-    if (system.ninputs, system.noutputs) != (1, 1):
-        raise ValueError(
-            f"root_locus: got {system.ninputs} inputs and {system.noutputs} outputs, wanted one of each"
-        )
-    if system.dt not in (0, None):
-        raise ValueError(f"root_locus: got a discrete system with dt = {system.dt}, wanted continuous time")
-    return (
-        _from_transfer(system) if isinstance(system, control.TransferFunction) else _from_state_space(system)
-    )
+def _aberth(polynomials: NDArray, guess: NDArray, steps: int = 5) -> tuple[NDArray, NDArray]:
+    """Return roots (n, K) corrected by Aberth's iteration, and which sets (K,) are to be trusted."""
+    s, n = guess.copy(), guess.shape[0]
+    itself = np.eye(n, dtype=bool)[..., None]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        for _ in range(steps):
+            p, slope, terms = horner(polynomials, s)
+            good = np.abs(p) <= 4e-16 * n * terms
+            if good.all():
+                break
+            newton = p / slope
+            push = np.where(itself, 0, 1 / np.where(itself, 1, s[:, None] - s[None])).sum(axis=1)
+            s = s - np.where(good, 0, newton / (1 - newton * push))
+        total = -polynomials[-2] / polynomials[-1]
+        sum_rule = np.abs(s.sum(axis=0) - total) <= 1e-12 * np.abs(s).sum(axis=0)
+    return s, good.all(axis=0) & sum_rule & np.isfinite(s).all(axis=0)
 
 
-def _from_transfer(system: control.TransferFunction) -> OpenLoop:
-    numerator = trimmed(checks.frozen_array("numerator", system.num[0][0][::-1], "root_locus"))
-    denominator = trimmed(checks.frozen_array("denominator", system.den[0][0][::-1], "root_locus"))
-    n = denominator.size - 1
-    if numerator.size > n + 1:
-        raise ValueError(
-            f"root_locus: got a numerator of order {numerator.size - 1} over {n}, wanted a proper system"
-        )
-    numerator, denominator = numerator / denominator[-1], denominator / denominator[-1]
-    D = float(numerator[n]) if numerator.size == n + 1 else 0.0
-    rest = np.zeros(n)
-    rest[: min(n, numerator.size)] = numerator[:n]
-    rest -= D * denominator[:n]
-    A = np.eye(n, k=1)
-    if n:
-        A[-1] = -denominator[:n]
-    B = np.zeros((n, 1))
-    B[n - 1 :] = 1.0
-    return OpenLoop(A, B, rest[None, :], D, numerator, denominator)
+def _polish(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
+    """Return eigenvalues (K, n) after one Newton step where the polynomial knows the root better."""
+    s = values.T
+    p, slope, terms = horner(loop.polynomials(gains), s)
+    norm = np.linalg.norm(loop.A) + np.abs(gains) * np.linalg.norm(loop.B) * np.linalg.norm(loop.C)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        step = p / slope
+        better = (terms < norm * np.abs(slope)) & (np.abs(step) < 1e-6 * np.abs(s))
+    return np.where(better, s - np.where(better, step, 0), s).T
 
 
-def _from_state_space(system: control.StateSpace) -> OpenLoop:
-    A, B, C = (checks.frozen_array(name, getattr(system, name), "root_locus") for name in "ABC")
-    D = checks.real("D", float(system.D[0, 0]), "root_locus")
-    denominator = characteristic_polynomial(A)
-    numerator = characteristic_polynomial(A - B @ C) + (D - 1) * denominator
-    return OpenLoop(A, B, C, D, trimmed(numerator), denominator)
+def _eigen(loop: OpenLoop, gains: NDArray) -> NDArray:
+    return _polish(loop, gains, loop.eigenvalues(gains))
 
 
-def _conjugate_symmetric(values: NDArray) -> NDArray:
-    """Return roots with real ones exactly real: LAPACK gives exact pairs for real matrices."""
-    return np.where(np.abs(values.imag) <= 1e-14 * np.abs(values), values.real + 0j, values)
+def _from_anchors(loop: OpenLoop, gains: NDArray) -> NDArray:
+    """Return root sets (K, n) for rising gains: eigenvalues at anchors, Aberth between them."""
+    at = np.unique(np.append(np.arange(0, gains.size, ANCHOR), gains.size - 1))
+    anchors = continuous_branches(_eigen(loop, gains[at]))
+    partner = partners(anchors)
+    alike = (partner[:-1] == partner[1:]).all(axis=1)
+    interval = np.clip(np.searchsorted(at, np.arange(gains.size), side="right") - 1, 0, at.size - 2)
+    inner = np.setdiff1d(np.flatnonzero(alike[interval]), at)
+    left = interval[inner]
+    t = ((inner - at[left]) / (at[left + 1] - at[left]))[:, None]
+    guess = (1 - t) * anchors[left] + t * anchors[left + 1]
+    s, trusted = _aberth(loop.polynomials(gains[inner]), guess.T)
+    pair = np.take_along_axis(s.T, partner[left], axis=1)
+    values = np.empty((gains.size, anchors.shape[1]), dtype=complex)
+    values[at] = anchors
+    values[inner] = (s.T + pair.conj()) / 2
+    rest = np.setdiff1d(np.arange(gains.size), np.concatenate([at, inner[trusted]]))
+    values[rest] = _eigen(loop, gains[rest])
+    return values
 
 
-def continuous_branches(values: NDArray) -> NDArray:
-    """Return root sets (K, n) re-ordered so that each column is a continuous branch.
-
-    Neighbouring sets are paired by the assignment of least total distance.
-    Where each root has a nearest successor of its own, that pairing is the
-    assignment, and no optimization is needed.
-    """
-    if values.shape[0] < 2 or values.shape[1] < 2:
-        return values
-    distance = np.abs(values[:-1, :, None] - values[1:, None, :])
-    successor = distance.argmin(axis=2)
-    clear = (np.sort(successor, axis=1) == np.arange(values.shape[1])).all(axis=1)
-    for i in np.flatnonzero(~clear):
-        successor[i] = linear_sum_assignment(distance[i])[1]
-    order = np.empty(values.shape, dtype=int)
-    order[0] = np.arange(values.shape[1])
-    for i, step in enumerate(successor):
-        order[i + 1] = step[order[i]]
-    return np.take_along_axis(values, order, axis=1)
+def _solve(loop: OpenLoop, gains: NDArray) -> NDArray:
+    """Return the closed-loop roots (K, n) for gains in any order, as branches continuous in the gain."""
+    order = np.argsort(gains, kind="stable")
+    long = gains.size > 8 * ANCHOR and not loop.fixed_at_origin
+    values = np.empty((gains.size, loop.poles.size), dtype=complex)
+    values[order] = continuous_branches((_from_anchors if long else _eigen)(loop, gains[order]))
+    return values
 
 
-def _break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
-    """Return the double roots for real gains: N D' - D N' = 0, k = -D/N."""
-    N, D = loop.numerator, loop.denominator
-    points = roots(npp.polysub(npp.polymul(N, npp.polyder(D)), npp.polymul(D, npp.polyder(N))))
+def _default_axes(loop: OpenLoop) -> Axes:
+    """Return left, right, bottom, top (1/s) of a picture that shows all poles and zeros with some room."""
+    points = np.concatenate([loop.poles, loop.zeros, [0.0]])
+    left, right = points.real.min(), points.real.max()
+    top = np.abs(points.imag).max()
+    size = max(right - left, 2 * top, 1e-3)
+    room = 0.3 * max(right - left, size / 4)
+    return left - room, right + room, -1.3 * max(top, size / 8), 1.3 * max(top, size / 8)
+
+
+def _chord_error(left: NDArray, middle: NDArray, right: NDArray, axes: Axes) -> NDArray:
+    """Return how far (pixels) the middle roots lie off the chord between their neighbors, worst branch."""
+    scale = np.array([SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])])
+    a, m, b = ((z.real * scale[0], z.imag * scale[1]) for z in (left, middle, right))
+    chord, offset = (b[0] - a[0], b[1] - a[1]), (m[0] - a[0], m[1] - a[1])
+    length2 = np.maximum(chord[0] ** 2 + chord[1] ** 2, 1e-300)
+    along = np.clip((chord[0] * offset[0] + chord[1] * offset[1]) / length2, 0, 1)
+    miss = np.hypot(offset[0] - along * chord[0], offset[1] - along * chord[1])
+    centre = (axes[0] + axes[1]) / 2 * scale[0], (axes[2] + axes[3]) / 2 * scale[1]
+    seen = [
+        (np.abs(z[0] - centre[0]) < 0.55 * SCREEN[0]) & (np.abs(z[1] - centre[1]) < 0.55 * SCREEN[1])
+        for z in (a, m, b)
+    ]
+    return np.where(seen[0] | seen[1] | seen[2], miss, 0.0).max(axis=1, initial=0.0)
+
+
+def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray:
+    """Return the inner points of intervals of gains, each cut evenly in ln(k + offset)."""
+    which = np.repeat(np.arange(low.size), pieces - 1)
+    number = np.arange(which.size) - np.repeat(np.cumsum(pieces - 1) - (pieces - 1), pieces - 1) + 1
+    a, b = low[which] + offset, high[which] + offset
+    return a * (b / a) ** (number / pieces[which]) - offset
+
+
+def _picture(
+    loop: OpenLoop, marks: NDArray, axes: Axes, tolerance: float, sign: int
+) -> tuple[NDArray, NDArray]:
+    """Return gains of one sign, marks among them, and branches true to the curve within the tolerance."""
+    lead = np.abs(loop.denominator).max() / max(np.abs(loop.numerator).max(), 1e-300)
+    offset = 1e-6 * lead
+    gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 40), marks]))
+    values, unsure = loop.eigenvalues(sign * gains), np.ones(gains.size - 1, dtype=bool)
+    for _ in range(8):
+        low, high = gains[:-1][unsure], gains[1:][unsure]
+        middle = _cut(low, high, np.full(low.size, 2), offset)
+        gains, values, at = _merged(gains, values, middle, loop.eigenvalues(sign * middle))
+        error = _chord_error(values[at - 1], values[at], values[at + 1], axes)
+        bad = error > tolerance
+        if not bad.any():
+            break
+        # The sagitta falls with the square of the step: cut each half so that a third of the limit is left.
+        pieces = np.clip(np.ceil(np.sqrt(0.75 * error[bad] / tolerance)), 2, 12).astype(int)
+        ends = np.concatenate([at[bad] - 1, at[bad]]), np.concatenate([at[bad], at[bad] + 1])
+        more = _cut(gains[ends[0]], gains[ends[1]], np.tile(pieces, 2), offset)
+        wild = np.repeat(np.tile(error[bad] > 8 * tolerance, 2), np.tile(pieces, 2) - 1)
+        gains, values, new = _merged(gains, values, more, loop.eigenvalues(sign * more))
+        unsure = np.zeros(gains.size - 1, dtype=bool)
+        unsure[new[wild] - 1] = unsure[new[wild]] = True
+        if not wild.any():
+            break
+    return sign * gains, continuous_branches(_polish(loop, sign * gains, values))
+
+
+def _merged(
+    gains: NDArray, values: NDArray, more: NDArray, found: NDArray
+) -> tuple[NDArray, NDArray, NDArray]:
+    """Return gains and branches with some added, and where the added ones stand."""
+    order = np.argsort(np.concatenate([gains, more]), kind="stable")
+    place = np.empty_like(order)
+    place[order] = np.arange(order.size)
+    branches = continuous_branches(np.concatenate([values, found])[order])
+    return np.concatenate([gains, more])[order], branches, place[gains.size :]
+
+
+def _relative_condition(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
+    """Return sum |c_i| |s|^i / (|s| |p'(s)|) for each root (K, n); 1 for a root that rests at the origin."""
+    _, slope, terms = horner(loop.polynomials(gains), values.T)
     with np.errstate(divide="ignore", invalid="ignore"):
-        gains = -npp.polyval(points, D) / npp.polyval(points, N)
-    real = np.isfinite(gains) & (np.abs(gains.imag) <= 1e-7 * np.abs(gains)) & (points.imag >= 0)
-    return tuple(BreakAway(float(k.real), complex(p)) for k, p in zip(gains[real], points[real], strict=True))
+        condition = terms / (np.abs(values.T) * np.abs(slope))
+    return np.where(values == 0, 1.0, condition.T)
 
 
-def _crossing_frequencies(N: NDArray, D: NDArray) -> NDArray:
-    """Return the frequencies w >= 0 (rad/s) where D/N is real: Im D(jw) conj N(jw) = w p(w^2) = 0."""
-    turn = 1j ** np.arange(D.size)
-    odd = npp.polymul(N * turn[: N.size], (D * turn).conj()).imag[1::2]
-    squares = roots(odd) if np.any(odd) else np.zeros(0, complex)
-    real = (np.abs(squares.imag) <= 1e-9 * np.abs(squares)) & (squares.real >= 0)
-    return np.union1d(np.sqrt(squares[real].real), [0.0])
-
-
-def _crossings(loop: OpenLoop) -> tuple[Crossing, ...]:
-    """Return the crossings of the imaginary axis: 1 + k G(jw) = 0 with real k."""
-    N, D = loop.numerator, loop.denominator
-    found = []
-    for omega in _crossing_frequencies(N, D):
-        s = 1j * omega
-        n_at, d_at = npp.polyval(s, N), npp.polyval(s, D)
-        if abs(n_at) == 0 or abs(d_at) == 0:
-            continue
-        k = float((-d_at / n_at).real)
-        slope = npp.polyval(s, npp.polyadd(npp.polyder(D), k * npp.polyder(N)))
-        if slope != 0:
-            found.append(Crossing(k, float(omega), int(np.sign((-n_at / slope).real))))
-    return tuple(sorted(found))
-
-
-def _window(poles: NDArray, zeros: NDArray) -> tuple[float, float]:
-    """Return the width and height (1/s) of a picture that shows all poles and zeros with some room."""
-    points = np.concatenate([poles, zeros])
-    spread = [np.ptp(points.real), 2 * np.abs(points.imag).max(initial=0.0)] if points.size else [0.0, 0.0]
-    size = max(max(spread), 1e-3)
-    return 1.6 * max(spread[0], size / 4), 1.6 * max(spread[1], size / 4)
-
-
-def _chord_error(left: NDArray, middle: NDArray, right: NDArray, window: tuple[float, float]) -> NDArray:
-    """Return how far (pixels) the middle roots lie off the chord between their neighbours, worst branch."""
-    scale = np.array([SCREEN[0] / window[0], SCREEN[1] / window[1]])
-    a, m, b = (np.stack([z.real, z.imag], axis=-1) * scale for z in (left, middle, right))
-    chord, offset = b - a, m - a
-    length2 = np.maximum((chord**2).sum(-1), 1e-300)
-    along = np.clip((chord * offset).sum(-1) / length2, 0, 1)
-    miss = np.linalg.norm(offset - along[..., None] * chord, axis=-1)
-    visible = (np.abs(m) < 2 * np.array(SCREEN)).all(-1)
-    return np.where(visible, miss, 0.0).max(axis=1, initial=0.0)
-
-
-def _chosen_gains(loop: OpenLoop, marks: NDArray, window: tuple[float, float], tolerance: float) -> NDArray:
-    """Return positive gains for which the drawn polyline is within ``tolerance`` pixels of the curve."""
-    scale = np.abs(loop.denominator).max() / np.abs(loop.numerator).max()
-    gains = np.concatenate([[0.0], scale * np.logspace(-5, 6, 45), marks])
-    gains = np.unique(gains)
-    for _ in range(14):
-        middle = np.where(gains[:-1] > 0, np.sqrt(gains[:-1] * gains[1:]), gains[1:] / 2)
-        both = np.sort(np.concatenate([gains, middle]))
-        r = continuous_branches(loop.roots(both))
-        coarse = _chord_error(r[:-2:2], r[1::2], r[2::2], window) > tolerance
-        if not coarse.any():
-            return both
-        gains = np.sort(np.concatenate([gains, middle[coarse]]))
-    return gains
+def _leaves(loop: OpenLoop, gain: float, values: NDArray) -> NDArray:
+    """Return for each root at one gain the open-loop pole that its branch leaves from."""
+    path = np.linspace(0, 1, 33)[:-1] ** 3 * gain
+    sets = np.concatenate([loop.eigenvalues(path), values[None]])[::-1]
+    ends = continuous_branches(sets)[-1]
+    nearest = np.abs(ends[:, None] - loop.poles[None, :]).argmin(axis=1)
+    return loop.poles[nearest]
 
 
 def root_locus(
-    system: control.StateSpace | control.TransferFunction | Sequence[ArrayLike],
+    system: System,
     gains: ArrayLike | None = None,
+    *,
+    sign: int = 1,
+    axes: Axes | None = None,
     tolerance: float = 0.25,
 ) -> RootLocus:
     """Return the root locus of 1 + k G(s) = 0.
@@ -239,11 +243,15 @@ def root_locus(
     system : StateSpace, TransferFunction or (A, B, C)
         The open loop G, single input and output, continuous and proper.
     gains : array_like, shape (K,), optional
-        Gains of either sign, in the order wanted.  Without them positive gains are
-        chosen so that the polyline of each branch stays within ``tolerance`` of
+        Gains of either sign, in the order wanted.  Without them gains of one sign
+        are chosen so that the polyline of each branch stays within ``tolerance`` of
         the true curve; break-away points and axis crossings are among them.
+    sign : int
+        1 for gains from 0 up, -1 for gains from 0 down, where gains are chosen.
+    axes : tuple of float, optional
+        Left, right, bottom and top (1/s) of the picture; by default all poles and zeros with some room.
     tolerance : float
-        Largest error (pixels, on a picture of 800 by 600 that shows all poles and zeros).
+        Largest error (pixels, on a picture of 800 by 600).
 
     Returns
     -------
@@ -254,20 +262,22 @@ def root_locus(
     TypeError
         If the system is no LTI system, or the gains are no real numbers.
     ValueError
-        If the system is not single-input, single-output, continuous and proper, or a number is not finite.
+        If the system is not single-input, single-output, continuous and proper, or a number is not
+        finite, or a gain sends a root to infinity.
     """
     loop = open_loop(system)
-    poles, zeros = roots(loop.denominator), roots(loop.numerator)
-    breaks, crossings = _break_aways(loop), _crossings(loop)
+    breaks, crosses = break_aways(loop), crossings(loop)
     if gains is None:
-        marks = np.array([k for k in (*(b.gain for b in breaks), *(c.gain for c in crossings)) if k > 0])
-        chosen = _chosen_gains(loop, marks, _window(poles, zeros), checks.positive("tolerance", tolerance))
+        marks = sign * np.array([mark.gain for mark in (*breaks, *crosses)])
+        view = _default_axes(loop) if axes is None else axes
+        limit = checks.positive("tolerance", tolerance, "root_locus")
+        chosen, values = _picture(loop, marks[marks > 0], view, limit, sign)
     else:
-        chosen = checks.frozen_array("gains", np.atleast_1d(gains), "root_locus")
+        chosen = checks.frozen_array("gains", np.atleast_1d(np.asarray(gains)), "root_locus")
         if chosen.ndim != 1:
             raise ValueError(f"gains in root_locus: got shape {chosen.shape}, wanted one dimension")
-    branches = continuous_branches(_conjugate_symmetric(loop.roots(chosen)))
-    return RootLocus(chosen, branches, poles, zeros, breaks, crossings)
+        values = _solve(loop, chosen)
+    return RootLocus(chosen, values, loop.poles, loop.zeros, breaks, crosses, loop)
 
 
 def parameter_locus(
@@ -291,7 +301,7 @@ def parameter_locus(
     ValueError
         If a value is not finite or the order of the closed loop changes on the way.
     """
-    run = checks.frozen_array("values", np.atleast_1d(values), "parameter_locus")
+    run = checks.frozen_array("values", np.atleast_1d(np.asarray(values)), "parameter_locus")
     sets = [np.asarray(closed_loop(float(value)).poles(), dtype=complex) for value in run]
     for at, found in enumerate(sets):
         if found.size != sets[0].size:

@@ -52,6 +52,44 @@ def roots(coefficients: ArrayLike) -> NDArray:
     return np.concatenate([np.zeros(at_origin), npp.polyroots(p[at_origin:])]).astype(complex)
 
 
+def horner(coefficients: NDArray, s: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    """Return a polynomial, its derivative and the sum of its terms' sizes, at many points.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (n + 1,) or (n + 1, K)
+        Constant term first; one polynomial for each column.
+    s : ndarray of complex, shape (m,) or (m, K)
+
+    Returns
+    -------
+    tuple of ndarray, each of the shape of s
+        p(s), p'(s), and sum |c_i| |s|^i: the rounding error of p(s) is of order 2^-52 times the last.
+    """
+    size = np.abs(s)
+    p, slope, terms = coefficients[-1] + 0 * s, 0 * s, np.abs(coefficients[-1]) + 0 * size
+    for c in coefficients[-2::-1]:
+        slope = slope * s + p
+        p = p * s + c
+        terms = terms * size + np.abs(c)
+    return p, slope, terms
+
+
+def polished(coefficients: NDArray, approximations: NDArray) -> NDArray:
+    """Return roots after one Newton step each, where that step can only improve them.
+
+    A step is taken where it is small and larger than the rounding error of the
+    polynomial explains; multiple roots are left as they are.
+    """
+    if not approximations.size:
+        return approximations
+    p, slope, terms = horner(coefficients, approximations)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        step = p / slope
+        useful = (np.abs(step) < 1e-6 * np.abs(approximations)) & (np.abs(p) > 1e-16 * terms)
+    return np.where(useful, approximations - np.where(useful, step, 0), approximations)
+
+
 def _exact_integers(matrix: NDArray) -> tuple[list[list[int]], int]:
     """Return integers N and an exponent e with matrix = N / 2^e exactly."""
     ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
@@ -81,6 +119,25 @@ def exact_characteristic_polynomial(A: NDArray) -> list[Fraction]:
     return [Fraction(c, 2 ** (e * k)) for k, c in enumerate(coefficients)][::-1]
 
 
-def characteristic_polynomial(A: NDArray) -> NDArray:
-    """Return det(sI - A), constant term first, each coefficient correctly rounded; shape (n + 1,)."""
-    return np.array([float(c) for c in exact_characteristic_polynomial(np.asarray(A, dtype=float))])
+def characteristic_polynomial(A: NDArray, B: NDArray | None = None, C: NDArray | None = None) -> NDArray:
+    """Return det(sI - A), or the numerator C adj(sI - A) B, each coefficient correctly rounded.
+
+    Parameters
+    ----------
+    A : ndarray, shape (n, n)
+    B, C : ndarray, shapes (n, 1) and (1, n), optional
+        With them the result is det(sI - A + B C) - det(sI - A), the numerator of C (sI - A)^-1 B.
+
+    Returns
+    -------
+    ndarray, shape (n + 1,)
+        Constant term first.
+    """
+    p = exact_characteristic_polynomial(np.asarray(A, dtype=float))
+    if B is None or C is None:
+        return np.array([float(c) for c in p])
+    bordered = np.block([[np.asarray(A, float), B], [C, np.zeros((1, 1))]])
+    # det(sI - [A B; C 0]) = s det(sI - A) - C adj(sI - A) B
+    border = exact_characteristic_polynomial(bordered)
+    shifted = [Fraction(0), *p]
+    return np.array([float(a - b) for a, b in zip(shifted, border, strict=True)])[: len(p)]
