@@ -20,6 +20,8 @@ SCREEN = (800, 600)
 """Size (pixels) of the picture for which gains are chosen."""
 ANCHOR = 8
 """Of a long run of gains each eighth is solved by eigenvalues, and the others from these."""
+MOST = 4000
+"""No picture takes more gains than this."""
 
 Axes = tuple[float, float, float, float]
 
@@ -74,13 +76,13 @@ def mode_name(pole: complex) -> str:
     return f"mode at {abs(pole):.3g} rad/s" if pole.imag else f"pole at {pole.real:.3g} 1/s"
 
 
-def _aberth(polynomials: NDArray, guess: NDArray, steps: int = 5) -> tuple[NDArray, NDArray]:
+def _aberth(polynomials: NDArray, sizes: NDArray, guess: NDArray, steps: int = 6) -> tuple[NDArray, NDArray]:
     """Return roots (n, K) corrected by Aberth's iteration, and which sets (K,) are to be trusted."""
     s, n = guess.copy(), guess.shape[0]
     itself = np.eye(n, dtype=bool)[..., None]
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for _ in range(steps):
-            p, slope, terms = horner(polynomials, s)
+            p, slope, terms = horner(polynomials, s, sizes)
             good = np.abs(p) <= 4e-16 * n * terms
             if good.all():
                 break
@@ -92,48 +94,64 @@ def _aberth(polynomials: NDArray, guess: NDArray, steps: int = 5) -> tuple[NDArr
     return s, good.all(axis=0) & sum_rule & np.isfinite(s).all(axis=0)
 
 
-def _polish(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
-    """Return eigenvalues (K, n) after one Newton step where the polynomial knows the root better."""
-    s = values.T
-    p, slope, terms = horner(loop.polynomials(gains), s)
-    norm = np.linalg.norm(loop.A) + np.abs(gains) * np.linalg.norm(loop.B) * np.linalg.norm(loop.C)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        step = p / slope
-        better = (terms < norm * np.abs(slope)) & (np.abs(step) < 1e-6 * np.abs(s))
-    return np.where(better, s - np.where(better, step, 0), s).T
+def _symmetric(values: NDArray, partner: NDArray) -> NDArray:
+    """Return root sets (K, n) with exact conjugate pairs and exactly real roots."""
+    return (values + np.take_along_axis(values, partner, axis=1).conj()) / 2
 
 
 def _eigen(loop: OpenLoop, gains: NDArray) -> NDArray:
-    return _polish(loop, gains, loop.eigenvalues(gains))
+    """Return root sets (K, n): eigenvalues, and Aberth's roots where the polynomial knows them better.
+
+    An eigenvalue's error is about 2^-52 times the norm of the matrix, so a small root beside
+    large ones, or at a large gain, is better taken from the polynomial.
+    """
+    values = loop.eigenvalues(gains)
+    if not gains.size:
+        return values
+    polynomials, sizes = loop.polynomials(gains)
+    s, trusted = _aberth(polynomials, sizes, values.T)
+    s = _symmetric(s.T, partners(values)).T
+    _, slope, terms = horner(polynomials, s, sizes)
+    norm = np.linalg.norm(loop.A) + np.abs(gains) * np.linalg.norm(loop.B) * np.linalg.norm(loop.C)
+    return np.where(trusted & (terms < norm * np.abs(slope)), s, values.T).T
+
+
+def _inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) -> NDArray:
+    """Return root sets (m, n) at gains inside the span of known rising gains with continuous branches.
+
+    Aberth's iteration starts from the neighbors' mean, weighted; where they differ in which
+    roots are conjugates of which, or the iteration is not to be trusted, eigenvalues serve.
+    """
+    right = np.clip(np.searchsorted(known, gains), 1, known.size - 1)
+    partner = partners(values)
+    alike = (partner[right - 1] == partner[right]).all(axis=1)
+    t = ((gains - known[right - 1]) / (known[right] - known[right - 1]))[:, None]
+    guess = ((1 - t) * values[right - 1] + t * values[right])[alike]
+    s, trusted = _aberth(*loop.polynomials(gains[alike]), guess.T)
+    found = np.empty((gains.size, values.shape[1]), dtype=complex)
+    found[alike] = _symmetric(s.T, partner[right[alike]])
+    alike[alike] = trusted
+    found[~alike] = _eigen(loop, gains[~alike])
+    return found
 
 
 def _from_anchors(loop: OpenLoop, gains: NDArray) -> NDArray:
     """Return root sets (K, n) for rising gains: eigenvalues at anchors, Aberth between them."""
     at = np.unique(np.append(np.arange(0, gains.size, ANCHOR), gains.size - 1))
-    anchors = continuous_branches(_eigen(loop, gains[at]))
-    partner = partners(anchors)
-    alike = (partner[:-1] == partner[1:]).all(axis=1)
-    interval = np.clip(np.searchsorted(at, np.arange(gains.size), side="right") - 1, 0, at.size - 2)
-    inner = np.setdiff1d(np.flatnonzero(alike[interval]), at)
-    left = interval[inner]
-    t = ((inner - at[left]) / (at[left + 1] - at[left]))[:, None]
-    guess = (1 - t) * anchors[left] + t * anchors[left + 1]
-    s, trusted = _aberth(loop.polynomials(gains[inner]), guess.T)
-    pair = np.take_along_axis(s.T, partner[left], axis=1)
-    values = np.empty((gains.size, anchors.shape[1]), dtype=complex)
-    values[at] = anchors
-    values[inner] = (s.T + pair.conj()) / 2
-    rest = np.setdiff1d(np.arange(gains.size), np.concatenate([at, inner[trusted]]))
-    values[rest] = _eigen(loop, gains[rest])
+    inner = np.setdiff1d(np.arange(gains.size), at)
+    values = np.empty((gains.size, loop.denominator.size - 1), dtype=complex)
+    values[at] = continuous_branches(_eigen(loop, gains[at]))
+    values[inner] = _inserted(loop, gains[at], values[at], gains[inner])
     return values
 
 
 def _solve(loop: OpenLoop, gains: NDArray) -> NDArray:
     """Return the closed-loop roots (K, n) for gains in any order, as branches continuous in the gain."""
     order = np.argsort(gains, kind="stable")
-    long = gains.size > 8 * ANCHOR and not loop.fixed_at_origin
-    values = np.empty((gains.size, loop.poles.size), dtype=complex)
-    values[order] = continuous_branches((_from_anchors if long else _eigen)(loop, gains[order]))
+    distinct, place = np.unique(gains[order], return_inverse=True)
+    long = distinct.size > 8 * ANCHOR and not loop.fixed_at_origin
+    values = np.empty((gains.size, loop.denominator.size - 1), dtype=complex)
+    values[order] = continuous_branches((_from_anchors if long else _eigen)(loop, distinct))[place]
     return values
 
 
@@ -147,6 +165,22 @@ def _default_axes(loop: OpenLoop) -> Axes:
     return left - room, right + room, -1.3 * max(top, size / 8), 1.3 * max(top, size / 8)
 
 
+def _moved(values: NDArray, axes: Axes) -> NDArray:
+    """Return how far (pixels) the roots move from set to set, the farthest one in view."""
+    scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
+    inside = _in_view(values, axes)
+    step = np.diff(values, axis=0)
+    far = np.hypot(step.real * scale[0], step.imag * scale[1])
+    return np.where(inside[1:] | inside[:-1], far, 0.0).max(axis=1, initial=0.0)
+
+
+def _in_view(values: NDArray, axes: Axes) -> NDArray:
+    """Return which points lie on the picture or close to it."""
+    x, y = (axes[0] + axes[1]) / 2, (axes[2] + axes[3]) / 2
+    near = np.abs(values.real - x) < 0.55 * (axes[1] - axes[0])
+    return near & (np.abs(values.imag - y) < 0.55 * (axes[3] - axes[2]))
+
+
 def _chord_error(left: NDArray, middle: NDArray, right: NDArray, axes: Axes) -> NDArray:
     """Return how far (pixels) the middle roots lie off the chord between their neighbors, worst branch."""
     scale = np.array([SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])])
@@ -155,12 +189,8 @@ def _chord_error(left: NDArray, middle: NDArray, right: NDArray, axes: Axes) -> 
     length2 = np.maximum(chord[0] ** 2 + chord[1] ** 2, 1e-300)
     along = np.clip((chord[0] * offset[0] + chord[1] * offset[1]) / length2, 0, 1)
     miss = np.hypot(offset[0] - along * chord[0], offset[1] - along * chord[1])
-    centre = (axes[0] + axes[1]) / 2 * scale[0], (axes[2] + axes[3]) / 2 * scale[1]
-    seen = [
-        (np.abs(z[0] - centre[0]) < 0.55 * SCREEN[0]) & (np.abs(z[1] - centre[1]) < 0.55 * SCREEN[1])
-        for z in (a, m, b)
-    ]
-    return np.where(seen[0] | seen[1] | seen[2], miss, 0.0).max(axis=1, initial=0.0)
+    seen = _in_view(left, axes) | _in_view(middle, axes) | _in_view(right, axes)
+    return np.where(seen, miss, 0.0).max(axis=1, initial=0.0)
 
 
 def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray:
@@ -175,35 +205,40 @@ def _picture(
     loop: OpenLoop, marks: NDArray, axes: Axes, tolerance: float, sign: int
 ) -> tuple[NDArray, NDArray]:
     """Return gains of one sign, marks among them, and branches true to the curve within the tolerance."""
+    if not loop.numerator.any():  # nothing moves
+        gains = np.array([0.0, sign])
+        return gains, _solve(loop, gains)
     lead = np.abs(loop.denominator).max() / max(np.abs(loop.numerator).max(), 1e-300)
     offset = 1e-6 * lead
-    gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 40), marks]))
-    values, unsure = loop.eigenvalues(sign * gains), np.ones(gains.size - 1, dtype=bool)
-    for _ in range(8):
+    gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 32), marks]))
+    values = continuous_branches(_eigen(loop, sign * gains))
+    unsure = _moved(values, axes) > tolerance
+    while unsure.any():
         low, high = gains[:-1][unsure], gains[1:][unsure]
-        middle = _cut(low, high, np.full(low.size, 2), offset)
-        gains, values, at = _merged(gains, values, middle, loop.eigenvalues(sign * middle))
+        gains, values, at = _merged(loop, sign, gains, values, _cut(low, high, np.full(low.size, 2), offset))
         error = _chord_error(values[at - 1], values[at], values[at + 1], axes)
-        bad = error > tolerance
-        if not bad.any():
-            break
-        # The sagitta falls with the square of the step: cut each half so that a third of the limit is left.
-        pieces = np.clip(np.ceil(np.sqrt(0.75 * error[bad] / tolerance)), 2, 12).astype(int)
-        ends = np.concatenate([at[bad] - 1, at[bad]]), np.concatenate([at[bad], at[bad] + 1])
-        more = _cut(gains[ends[0]], gains[ends[1]], np.tile(pieces, 2), offset)
-        wild = np.repeat(np.tile(error[bad] > 8 * tolerance, 2), np.tile(pieces, 2) - 1)
-        gains, values, new = _merged(gains, values, more, loop.eigenvalues(sign * more))
+        # The sagitta falls with the square of the step: cut each half so that 0.6 of the limit is left.
+        pieces = np.clip(np.ceil(np.sqrt(error / (2.4 * tolerance))), 1, 12).astype(int)
+        left, right = gains[[at - 1, at]].ravel(), gains[[at, at + 1]].ravel()
+        more = _cut(left, right, np.tile(pieces, 2), offset)
+        wild = np.repeat(np.tile(error > 8 * tolerance, 2), np.tile(pieces, 2) - 1)
+        gains, values, new = _merged(loop, sign, gains, values, more)
         unsure = np.zeros(gains.size - 1, dtype=bool)
         unsure[new[wild] - 1] = unsure[new[wild]] = True
-        if not wild.any():
-            break
-    return sign * gains, continuous_branches(_polish(loop, sign * gains, values))
+        unsure &= gains.size < MOST
+    return sign * gains, values
 
 
 def _merged(
-    gains: NDArray, values: NDArray, more: NDArray, found: NDArray
+    loop: OpenLoop, sign: int, gains: NDArray, values: NDArray, more: NDArray
 ) -> tuple[NDArray, NDArray, NDArray]:
-    """Return gains and branches with some added, and where the added ones stand."""
+    """Return gains and branches with those of some more gains, and where these stand."""
+    if not more.size:
+        return gains, values, np.zeros(0, dtype=int)
+    if sign > 0:
+        found = _inserted(loop, gains, values, more)
+    else:
+        found = _inserted(loop, -gains[::-1], values[::-1], -more)
     order = np.argsort(np.concatenate([gains, more]), kind="stable")
     place = np.empty_like(order)
     place[order] = np.arange(order.size)
@@ -213,7 +248,8 @@ def _merged(
 
 def _relative_condition(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
     """Return sum |c_i| |s|^i / (|s| |p'(s)|) for each root (K, n); 1 for a root that rests at the origin."""
-    _, slope, terms = horner(loop.polynomials(gains), values.T)
+    polynomials, sizes = loop.polynomials(gains)
+    _, slope, terms = horner(polynomials, values.T, sizes)
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = terms / (np.abs(values.T) * np.abs(slope))
     return np.where(values == 0, 1.0, condition.T)
@@ -268,7 +304,11 @@ def root_locus(
     loop = open_loop(system)
     breaks, crosses = break_aways(loop), crossings(loop)
     if gains is None:
-        marks = sign * np.array([mark.gain for mark in (*breaks, *crosses)])
+        marks = sign * np.array([m.gain for m in (*breaks, *crosses)])
+        if loop.D:  # a root passes through infinity: go close on either side
+            lost = -sign / loop.D
+            near = lost * (1 + np.array([-1e-7, 1e-7]))
+            marks = np.append(marks[np.abs(marks - lost) > 1e-7 * abs(lost)], near)
         view = _default_axes(loop) if axes is None else axes
         limit = checks.positive("tolerance", tolerance, "root_locus")
         chosen, values = _picture(loop, marks[marks > 0], view, limit, sign)

@@ -60,12 +60,12 @@ class OpenLoop:
             int(np.flatnonzero(p)[0]) if p.any() else p.size for p in (self.numerator, self.denominator)
         )
 
-    def polynomials(self, gains: NDArray) -> NDArray:
-        """Return the closed-loop characteristic polynomials (n + 1, K), constant term first."""
-        n = self.numerator.size
-        p = np.repeat(self.denominator[:, None], gains.size, axis=1)
-        p[:n] += np.multiply.outer(self.numerator, gains)
-        return p
+    def polynomials(self, gains: NDArray) -> tuple[NDArray, NDArray]:
+        """Return the closed-loop polynomials D + k N, and |D| + |k N|; each (n + 1, K), constant first."""
+        N = np.zeros(self.denominator.size)
+        N[: self.numerator.size] = self.numerator
+        D, kN = self.denominator[:, None], np.multiply.outer(N, gains)
+        return D + kN, np.abs(D) + np.abs(kN)
 
     def eigenvalues(self, gains: NDArray) -> NDArray:
         """Return the closed-loop roots (K, n) for gains (K,) as eigenvalues, unordered.
@@ -143,6 +143,8 @@ def _from_transfer(system: control.TransferFunction) -> OpenLoop:
     numerator = trimmed(checks.frozen_array("numerator", system.num[0][0][::-1], "root_locus"))
     denominator = trimmed(checks.frozen_array("denominator", system.den[0][0][::-1], "root_locus"))
     n = denominator.size - 1
+    if n == 0:
+        raise ValueError("root_locus: got a system without poles, wanted at least one")
     if numerator.size > n + 1:
         raise ValueError(
             f"root_locus: got a numerator of order {numerator.size - 1} over one of order {n}, "
@@ -159,6 +161,8 @@ def _from_transfer(system: control.TransferFunction) -> OpenLoop:
 def _from_state_space(system: control.StateSpace) -> OpenLoop:
     A, B, C = (checks.frozen_array(name, getattr(system, name), "root_locus") for name in "ABC")
     D = checks.real("D", float(system.D[0, 0]), "root_locus")
+    if not A.size:
+        raise ValueError("root_locus: got a system without poles, wanted at least one")
     denominator = characteristic_polynomial(A)
     numerator = characteristic_polynomial(A, B, C) + D * denominator
     return OpenLoop(A, B, C, D, trimmed(numerator), denominator)

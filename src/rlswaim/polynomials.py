@@ -52,7 +52,9 @@ def roots(coefficients: ArrayLike) -> NDArray:
     return np.concatenate([np.zeros(at_origin), npp.polyroots(p[at_origin:])]).astype(complex)
 
 
-def horner(coefficients: NDArray, s: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+def horner(
+    coefficients: NDArray, s: NDArray, sizes: NDArray | None = None
+) -> tuple[NDArray, NDArray, NDArray]:
     """Return a polynomial, its derivative and the sum of its terms' sizes, at many points.
 
     Parameters
@@ -60,18 +62,20 @@ def horner(coefficients: NDArray, s: NDArray) -> tuple[NDArray, NDArray, NDArray
     coefficients : ndarray, shape (n + 1,) or (n + 1, K)
         Constant term first; one polynomial for each column.
     s : ndarray of complex, shape (m,) or (m, K)
+    sizes : ndarray, shape of the coefficients, optional
+        What each coefficient is a small difference of; by default its own size.
 
     Returns
     -------
     tuple of ndarray, each of the shape of s
-        p(s), p'(s), and sum |c_i| |s|^i: the rounding error of p(s) is of order 2^-52 times the last.
+        p(s), p'(s), and the sum of sizes times |s|^i: the error of p(s) is of order 2^-52 times that.
     """
-    size = np.abs(s)
-    p, slope, terms = coefficients[-1] + 0 * s, 0 * s, np.abs(coefficients[-1]) + 0 * size
-    for c in coefficients[-2::-1]:
+    size, sizes = np.abs(s), np.abs(coefficients) if sizes is None else sizes
+    p, slope, terms = coefficients[-1] + 0 * s, 0 * s, sizes[-1] + 0 * size
+    for c, c_size in zip(coefficients[-2::-1], sizes[-2::-1], strict=True):
         slope = slope * s + p
         p = p * s + c
-        terms = terms * size + np.abs(c)
+        terms = terms * size + c_size
     return p, slope, terms
 
 
