@@ -213,7 +213,7 @@ def _picture(
     gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 32), marks]))
     values = continuous_branches(_eigen(loop, sign * gains))
     unsure = _moved(values, axes) > tolerance
-    while unsure.any():
+    while (unsure := unsure & ~_through_infinity(loop, sign * gains)).any():
         low, high = gains[:-1][unsure], gains[1:][unsure]
         gains, values, at = _merged(loop, sign, gains, values, _cut(low, high, np.full(low.size, 2), offset))
         error = _chord_error(values[at - 1], values[at], values[at + 1], axes)
@@ -227,6 +227,12 @@ def _picture(
         unsure[new[wild] - 1] = unsure[new[wild]] = True
         unsure &= gains.size < MOST
     return sign * gains, values
+
+
+def _through_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
+    """Return in which intervals of gains a root passes through infinity: k = -1/D lies there."""
+    side = np.sign(1 + gains * loop.D)
+    return side[:-1] != side[1:]
 
 
 def _merged(
