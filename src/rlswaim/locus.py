@@ -155,7 +155,7 @@ def _solve(loop: OpenLoop, gains: NDArray) -> NDArray:
     return values
 
 
-def _default_axes(loop: OpenLoop) -> Axes:
+def default_axes(loop: OpenLoop) -> Axes:
     """Return left, right, bottom, top (1/s) of a picture that shows all poles and zeros with some room."""
     points = np.concatenate([loop.poles, loop.zeros, [0.0]])
     left, right = points.real.min(), points.real.max()
@@ -165,15 +165,6 @@ def _default_axes(loop: OpenLoop) -> Axes:
     return left - room, right + room, -1.3 * max(top, size / 8), 1.3 * max(top, size / 8)
 
 
-def _moved(values: NDArray, axes: Axes) -> NDArray:
-    """Return how far (pixels) the roots move from set to set, the farthest one in view."""
-    scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
-    inside = _in_view(values, axes)
-    step = np.diff(values, axis=0)
-    far = np.hypot(step.real * scale[0], step.imag * scale[1])
-    return np.where(inside[1:] | inside[:-1], far, 0.0).max(axis=1, initial=0.0)
-
-
 def _in_view(values: NDArray, axes: Axes) -> NDArray:
     """Return which points lie on the picture or close to it."""
     x, y = (axes[0] + axes[1]) / 2, (axes[2] + axes[3]) / 2
@@ -181,16 +172,29 @@ def _in_view(values: NDArray, axes: Axes) -> NDArray:
     return near & (np.abs(values.imag - y) < 0.55 * (axes[3] - axes[2]))
 
 
-def _chord_error(left: NDArray, middle: NDArray, right: NDArray, axes: Axes) -> NDArray:
-    """Return how far (pixels) the middle roots lie off the chord between their neighbors, worst branch."""
-    scale = np.array([SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])])
-    a, m, b = ((z.real * scale[0], z.imag * scale[1]) for z in (left, middle, right))
-    chord, offset = (b[0] - a[0], b[1] - a[1]), (m[0] - a[0], m[1] - a[1])
-    length2 = np.maximum(chord[0] ** 2 + chord[1] ** 2, 1e-300)
-    along = np.clip((chord[0] * offset[0] + chord[1] * offset[1]) / length2, 0, 1)
-    miss = np.hypot(offset[0] - along * chord[0], offset[1] - along * chord[1])
-    seen = _in_view(left, axes) | _in_view(middle, axes) | _in_view(right, axes)
-    return np.where(seen, miss, 0.0).max(axis=1, initial=0.0)
+def _deviation(loop: OpenLoop, gains: NDArray, values: NDArray, axes: Axes) -> NDArray:
+    """Return how far (pixels) the curve strays from its chord between neighbors, worst branch in view.
+
+    A cubic with slopes a, b against its chord strays at most 4/27 (|a| + |b|) times the chord.
+    The tangent is ds/dk = -N/p'; at a double root, where p' = 0, the slope of the other end serves.
+    """
+    scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
+    polynomials, sizes = loop.polynomials(gains)
+    _, slope, terms = horner(polynomials, values.T, sizes)
+    known = (np.abs(slope * values.T) > 1e-6 * terms).T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        tangent = -np.sign(gains[-1]) * horner(loop.numerator, values)[0] / slope.T
+    tangent = scale[0] * tangent.real + 1j * scale[1] * tangent.imag
+    chord = np.diff(values, axis=0)
+    chord = scale[0] * chord.real + 1j * scale[1] * chord.imag
+    turned = [t * chord.conj() for t in (tangent[:-1], tangent[1:])]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        steep = [np.where(t.real > 0, np.minimum(np.abs(t.imag) / t.real, 10), 10) for t in turned]
+    left = np.where(known[:-1], steep[0], steep[1])
+    right = np.where(known[1:], steep[1], steep[0])
+    seen = _in_view(values[:-1], axes) | _in_view(values[1:], axes)
+    stray = 4 / 27 * (left + right) * np.abs(chord)
+    return np.where(seen & (known[:-1] | known[1:]), stray, 0.0).max(axis=1, initial=0.0)
 
 
 def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray:
@@ -212,20 +216,18 @@ def _picture(
     offset = 1e-6 * lead
     gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 32), marks]))
     values = continuous_branches(_eigen(loop, sign * gains))
-    unsure = _moved(values, axes) > tolerance
-    while (unsure := unsure & ~_through_infinity(loop, sign * gains)).any():
-        low, high = gains[:-1][unsure], gains[1:][unsure]
-        gains, values, at = _merged(loop, sign, gains, values, _cut(low, high, np.full(low.size, 2), offset))
-        error = _chord_error(values[at - 1], values[at], values[at + 1], axes)
-        # The sagitta falls with the square of the step: cut each half so that 0.6 of the limit is left.
-        pieces = np.clip(np.ceil(np.sqrt(error / (2.4 * tolerance))), 1, 12).astype(int)
-        left, right = gains[[at - 1, at]].ravel(), gains[[at, at + 1]].ravel()
-        more = _cut(left, right, np.tile(pieces, 2), offset)
-        wild = np.repeat(np.tile(error > 8 * tolerance, 2), np.tile(pieces, 2) - 1)
-        gains, values, new = _merged(loop, sign, gains, values, more)
-        unsure = np.zeros(gains.size - 1, dtype=bool)
-        unsure[new[wild] - 1] = unsure[new[wild]] = True
-        unsure &= gains.size < MOST
+    while gains.size < MOST:
+        stray = _deviation(loop, sign * gains, values, axes)
+        bad = (
+            (stray > tolerance) & ~_through_infinity(loop, sign * gains) & (np.diff(gains) > 1e-9 * gains[1:])
+        )
+        if not bad.any():
+            break
+        # The deviation falls with the square of the step.
+        pieces = np.clip(np.ceil(1.1 * np.sqrt(stray[bad] / tolerance)), 2, 6).astype(int)
+        gains, values = _merged(
+            loop, sign, gains, values, _cut(gains[:-1][bad], gains[1:][bad], pieces, offset)
+        )
     return sign * gains, values
 
 
@@ -237,19 +239,15 @@ def _through_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
 
 def _merged(
     loop: OpenLoop, sign: int, gains: NDArray, values: NDArray, more: NDArray
-) -> tuple[NDArray, NDArray, NDArray]:
-    """Return gains and branches with those of some more gains, and where these stand."""
-    if not more.size:
-        return gains, values, np.zeros(0, dtype=int)
+) -> tuple[NDArray, NDArray]:
+    """Return gains >= 0 and branches with those of some more gains."""
     if sign > 0:
         found = _inserted(loop, gains, values, more)
     else:
         found = _inserted(loop, -gains[::-1], values[::-1], -more)
     order = np.argsort(np.concatenate([gains, more]), kind="stable")
-    place = np.empty_like(order)
-    place[order] = np.arange(order.size)
     branches = continuous_branches(np.concatenate([values, found])[order])
-    return np.concatenate([gains, more])[order], branches, place[gains.size :]
+    return np.concatenate([gains, more])[order], branches
 
 
 def _relative_condition(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
@@ -283,7 +281,7 @@ def root_locus(
     Parameters
     ----------
     system : StateSpace, TransferFunction or (A, B, C)
-        The open loop G, single input and output, continuous and proper.
+        The open loop G, single input and output, proper.
     gains : array_like, shape (K,), optional
         Gains of either sign, in the order wanted.  Without them gains of one sign
         are chosen so that the polyline of each branch stays within ``tolerance`` of
@@ -304,8 +302,12 @@ def root_locus(
     TypeError
         If the system is no LTI system, or the gains are no real numbers.
     ValueError
-        If the system is not single-input, single-output, continuous and proper, or a number is not
-        finite, or a gain sends a root to infinity.
+        If the system is not single-input, single-output and proper, or has no poles, or a number is
+        not finite, or a gain sends a root to infinity.
+
+    Notes
+    -----
+    A discrete system's roots are in z; ``crossings`` are those of the imaginary axis all the same.
     """
     loop = open_loop(system)
     breaks, crosses = break_aways(loop), crossings(loop)
@@ -315,7 +317,7 @@ def root_locus(
             lost = -sign / loop.D
             near = lost * (1 + np.array([-1e-7, 1e-7]))
             marks = np.append(marks[np.abs(marks - lost) > 1e-7 * abs(lost)], near)
-        view = _default_axes(loop) if axes is None else axes
+        view = default_axes(loop) if axes is None else axes
         limit = checks.positive("tolerance", tolerance, "root_locus")
         chosen, values = _picture(loop, marks[marks > 0], view, limit, sign)
     else:

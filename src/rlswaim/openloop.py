@@ -105,7 +105,7 @@ def open_loop(system: System) -> OpenLoop:
     TypeError
         If the system is no LTI system.
     ValueError
-        If it has more than one input or output, or is improper, discrete, zero or not finite.
+        If it has more than one input or output, no poles, or is improper or not finite.
     """
     if isinstance(system, (tuple, list)):
         system = _from_arrays(system)
@@ -118,8 +118,6 @@ def open_loop(system: System) -> OpenLoop:
         raise ValueError(
             f"root_locus: got {system.ninputs} inputs and {system.noutputs} outputs, wanted one of each"
         )
-    if system.dt not in (0, None):
-        raise ValueError(f"root_locus: got a discrete system with dt = {system.dt}, wanted continuous time")
     return (
         _from_transfer(system) if isinstance(system, control.TransferFunction) else _from_state_space(system)
     )
