@@ -6,6 +6,7 @@ Convention: negative feedback, 1 + k G(s) = 0, with k of either sign.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import control
 import numpy as np
@@ -76,22 +77,36 @@ def mode_name(pole: complex) -> str:
     return f"mode at {abs(pole):.3g} rad/s" if pole.imag else f"pole at {pole.real:.3g} 1/s"
 
 
-def _aberth(polynomials: NDArray, sizes: NDArray, guess: NDArray, steps: int = 6) -> tuple[NDArray, NDArray]:
-    """Return roots (n, K) corrected by Aberth's iteration, and which sets (K,) are to be trusted."""
-    s, n = guess.copy(), guess.shape[0]
+class _Corrected(NamedTuple):
+    """Aberth's roots (n, K), p' and the sizes of p's terms there, and which sets (K,) are to be trusted."""
+
+    roots: NDArray
+    slope: NDArray
+    terms: NDArray
+    trusted: NDArray
+
+
+def _aberth(polynomials: NDArray, sizes: NDArray, guess: NDArray, steps: int = 6) -> _Corrected:
+    """Return roots corrected by Aberth's iteration until rounding is all that is left of p."""
+    s, slope, terms = guess.copy(), np.empty_like(guess), np.empty(guess.shape)
+    n, busy = guess.shape[0], np.arange(guess.shape[1])
     itself = np.eye(n, dtype=bool)[..., None]
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for _ in range(steps):
-            p, slope, terms = horner(polynomials, s, sizes)
-            good = np.abs(p) <= 4e-16 * n * terms
-            if good.all():
+            z = s[:, busy]
+            p, slope[:, busy], terms[:, busy] = horner(polynomials[:, busy], z, sizes[:, busy])
+            good = np.abs(p) <= 4e-16 * n * terms[:, busy]
+            left = ~good.all(axis=0)
+            p, z, good, busy = p[:, left], z[:, left], good[:, left], busy[left]
+            if not busy.size:
                 break
-            newton = p / slope
-            push = np.where(itself, 0, 1 / np.where(itself, 1, s[:, None] - s[None])).sum(axis=1)
-            s = s - np.where(good, 0, newton / (1 - newton * push))
+            newton = p / slope[:, busy]
+            push = np.where(itself, 0, 1 / np.where(itself, 1, z[:, None] - z[None])).sum(axis=1)
+            s[:, busy] = z - np.where(good, 0, newton / (1 - newton * push))
         total = -polynomials[-2] / polynomials[-1]
-        sum_rule = np.abs(s.sum(axis=0) - total) <= 1e-12 * np.abs(s).sum(axis=0)
-    return s, good.all(axis=0) & sum_rule & np.isfinite(s).all(axis=0)
+        trusted = np.abs(s.sum(axis=0) - total) <= 1e-12 * np.abs(s).sum(axis=0)
+    trusted[busy] = False
+    return _Corrected(s, slope, terms, trusted)
 
 
 def _symmetric(values: NDArray, partner: NDArray) -> NDArray:
@@ -99,39 +114,37 @@ def _symmetric(values: NDArray, partner: NDArray) -> NDArray:
     return (values + np.take_along_axis(values, partner, axis=1).conj()) / 2
 
 
-def _eigen(loop: OpenLoop, gains: NDArray) -> NDArray:
-    """Return root sets (K, n): eigenvalues, and Aberth's roots where the polynomial knows them better.
+def _polished(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
+    """Return root sets (K, n) with Aberth's roots where the polynomial knows them better.
 
     An eigenvalue's error is about 2^-52 times the norm of the matrix, so a small root beside
     large ones, or at a large gain, is better taken from the polynomial.
     """
-    values = loop.eigenvalues(gains)
-    if not gains.size:
-        return values
-    polynomials, sizes = loop.polynomials(gains)
-    s, trusted = _aberth(polynomials, sizes, values.T)
-    s = _symmetric(s.T, partners(values)).T
-    _, slope, terms = horner(polynomials, s, sizes)
+    found = _aberth(*loop.polynomials(gains), values.T)
     norm = np.linalg.norm(loop.A) + np.abs(gains) * np.linalg.norm(loop.B) * np.linalg.norm(loop.C)
-    return np.where(trusted & (terms < norm * np.abs(slope)), s, values.T).T
+    better = found.trusted & (found.terms < norm * np.abs(found.slope))
+    return np.where(better.T, _symmetric(found.roots.T, partners(values)), values)
 
 
 def _inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) -> NDArray:
     """Return root sets (m, n) at gains inside the span of known rising gains with continuous branches.
 
     Aberth's iteration starts from the neighbors' mean, weighted; where they differ in which
-    roots are conjugates of which, or the iteration is not to be trusted, eigenvalues serve.
+    roots are conjugates of which, or the iteration is not to be trusted, or the work is small,
+    eigenvalues serve.
     """
+    if gains.size * values.shape[1] < 500:
+        return loop.eigenvalues(gains)
     right = np.clip(np.searchsorted(known, gains), 1, known.size - 1)
     partner = partners(values)
     alike = (partner[right - 1] == partner[right]).all(axis=1)
     t = ((gains - known[right - 1]) / (known[right] - known[right - 1]))[:, None]
     guess = ((1 - t) * values[right - 1] + t * values[right])[alike]
-    s, trusted = _aberth(*loop.polynomials(gains[alike]), guess.T)
+    corrected = _aberth(*loop.polynomials(gains[alike]), guess.T)
     found = np.empty((gains.size, values.shape[1]), dtype=complex)
-    found[alike] = _symmetric(s.T, partner[right[alike]])
-    alike[alike] = trusted
-    found[~alike] = _eigen(loop, gains[~alike])
+    found[alike] = _symmetric(corrected.roots.T, partner[right[alike]])
+    alike[alike] = corrected.trusted
+    found[~alike] = loop.eigenvalues(gains[~alike])
     return found
 
 
@@ -140,19 +153,17 @@ def _from_anchors(loop: OpenLoop, gains: NDArray) -> NDArray:
     at = np.unique(np.append(np.arange(0, gains.size, ANCHOR), gains.size - 1))
     inner = np.setdiff1d(np.arange(gains.size), at)
     values = np.empty((gains.size, loop.denominator.size - 1), dtype=complex)
-    values[at] = continuous_branches(_eigen(loop, gains[at]))
+    values[at] = continuous_branches(loop.eigenvalues(gains[at]))
     values[inner] = _inserted(loop, gains[at], values[at], gains[inner])
     return values
 
 
 def _solve(loop: OpenLoop, gains: NDArray) -> NDArray:
     """Return the closed-loop roots (K, n) for gains in any order, as branches continuous in the gain."""
-    order = np.argsort(gains, kind="stable")
-    distinct, place = np.unique(gains[order], return_inverse=True)
+    distinct, place = np.unique(gains, return_inverse=True)
     long = distinct.size > 8 * ANCHOR and not loop.fixed_at_origin
-    values = np.empty((gains.size, loop.denominator.size - 1), dtype=complex)
-    values[order] = continuous_branches((_from_anchors if long else _eigen)(loop, distinct))[place]
-    return values
+    values = _from_anchors(loop, distinct) if long else loop.eigenvalues(distinct)
+    return continuous_branches(_polished(loop, distinct, values))[place]
 
 
 def default_axes(loop: OpenLoop) -> Axes:
@@ -215,7 +226,7 @@ def _picture(
     lead = np.abs(loop.denominator).max() / max(np.abs(loop.numerator).max(), 1e-300)
     offset = 1e-6 * lead
     gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 32), marks]))
-    values = continuous_branches(_eigen(loop, sign * gains))
+    values = continuous_branches(loop.eigenvalues(sign * gains))
     while gains.size < MOST:
         stray = _deviation(loop, sign * gains, values, axes)
         bad = (
@@ -224,11 +235,11 @@ def _picture(
         if not bad.any():
             break
         # The deviation falls with the square of the step.
-        pieces = np.clip(np.ceil(1.1 * np.sqrt(stray[bad] / tolerance)), 2, 6).astype(int)
+        pieces = np.clip(np.ceil(1.1 * np.sqrt(stray[bad] / tolerance)), 2, 9).astype(int)
         gains, values = _merged(
             loop, sign, gains, values, _cut(gains[:-1][bad], gains[1:][bad], pieces, offset)
         )
-    return sign * gains, values
+    return sign * gains, _polished(loop, sign * gains, values)
 
 
 def _through_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
