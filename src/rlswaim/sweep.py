@@ -73,7 +73,7 @@ def sweep(
     total = int(np.prod(shape)) if shape else 0
     if not total or chunk < 1:
         raise ValueError(f"sweep: got {total} points in chunks of {chunk}, wanted at least one point in each")
-    label = f"{getattr(function, '__module__', '')}.{getattr(function, '__qualname__', repr(function))}"
+    label = f"{function.__module__}.{getattr(function, '__qualname__', type(function).__qualname__)}"
     attributes = {
         "units": unit,
         "rlswaim": version("rlswaim"),
