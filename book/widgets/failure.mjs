@@ -1,0 +1,37 @@
+// Where a live view cannot be drawn: one readable line in its place, the error itself in the console.
+export function fail(el, error) {
+  console.error(error);
+  const line = document.createElement('p');
+  line.className = 'live-view-failure';
+  line.setAttribute('role', 'alert');
+  line.textContent = `This live view could not be drawn: ${error?.message ?? error}`;
+  el.replaceChildren(line);
+}
+
+// anywidget calls this (see build.mjs) with the promise of a widget's own module. On its own it would leave an
+// error in that module as an unhandled rejection and an empty place in the page.
+export async function guarded(loading) {
+  let widget, broken;
+  try {
+    widget = await loading;
+  } catch (error) {
+    broken = { error };
+  }
+  return {
+    async initialize(context) {
+      try {
+        return await widget?.initialize?.(context);
+      } catch (error) {
+        broken = { error };
+      }
+    },
+    async render(context) {
+      try {
+        if (broken) throw broken.error;
+        return await widget.render?.(context);
+      } catch (error) {
+        fail(context.el, error);
+      }
+    },
+  };
+}

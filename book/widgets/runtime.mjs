@@ -1,0 +1,107 @@
+// Brings the widgets of a built page to life: no kernel, no server, nothing fetched.
+//
+// The page holds the state of all its widgets in one script tag and a second kind of tag wherever a widget is shown
+// (myst-nb writes both). Each of the latter is replaced by its view; jslink and jsdlink are models in that state and
+// need nothing more.
+import * as base from '@jupyter-widgets/base';
+import { ManagerBase } from '@jupyter-widgets/base-manager';
+import * as controls from '@jupyter-widgets/controls';
+import { Widget } from '@lumino/widgets';
+import anywidget from 'anywidget';
+import { fail } from './failure.mjs';
+import { nameControls } from './names.mjs';
+
+const MODULES = {
+  '@jupyter-widgets/base': base,
+  '@jupyter-widgets/controls': controls,
+  anywidget: anywidget(base),
+};
+
+// Play looks for the <i> of its button, but Font Awesome in the book's theme has put an <svg> in its place.
+controls.PlayView.prototype.updatePlaying = function () {
+  const icon = this.playPauseButton.firstElementChild;
+  icon.classList.toggle('fa-play', !this.model.get('playing'));
+  icon.classList.toggle('fa-pause', this.model.get('playing'));
+};
+
+const STATE = 'script[type="application/vnd.jupyter.widget-state+json"]';
+const VIEW = 'script[type="application/vnd.jupyter.widget-view+json"]';
+
+const pageLoaded = new Promise((resolve) => {
+  if (document.readyState === 'complete') resolve();
+  else addEventListener('load', resolve, { once: true });
+});
+
+// Typesets labels, one after the other as MathJax 3 asks for. MathJax may arrive after this script, or not at all.
+let typesetting = Promise.resolve();
+function typeset(el) {
+  typesetting = typesetting
+    .then(() => globalThis.MathJax?.startup?.promise ?? pageLoaded)
+    .then(() => globalThis.MathJax?.startup?.promise)
+    .then(() => globalThis.MathJax?.typesetPromise?.([el]))
+    .then(() => el.querySelectorAll('mjx-container').forEach((formula) => (formula.tabIndex = -1))) // no stop for Tab
+    .catch((error) => console.error(error));
+}
+
+class PageManager extends ManagerBase {
+  // ipywidgets asks its manager for this first, and only without it calls MathJax.Hub.Queue of MathJax 2.
+  _rendermime = { latexTypesetter: { typeset } };
+
+  async loadClass(name, module) {
+    const found = MODULES[module]?.[name];
+    if (!found) throw new Error(`${name} of ${module} is not part of this page's widgets`);
+    return found;
+  }
+
+  async create_view(model, options) {
+    const view = await super.create_view(model, options);
+    if (view instanceof base.ErrorWidgetView) {
+      const { msg, stack } = view.generateErrorMessage();
+      view.el.onclick = view.el.ondblclick = null;
+      fail(view.el, Object.assign(new Error(msg), { stack }));
+    } else {
+      nameControls(view);
+    }
+    return view;
+  }
+
+  async _get_comm_info() {
+    return {};
+  }
+
+  async _create_comm() {
+    throw new Error('this page has no kernel');
+  }
+}
+
+async function show(manager, tag) {
+  const place = document.createElement('div');
+  place.className = 'live-view';
+  tag.replaceWith(place);
+  try {
+    const model = await manager.get_model(JSON.parse(tag.textContent).model_id);
+    const view = await manager.create_view(model);
+    Widget.attach(view.luminoWidget, place);
+  } catch (error) {
+    fail(place, error);
+  }
+}
+
+async function start() {
+  const style = document.createElement('style');
+  style.textContent = RUNTIME_CSS; // put in by build.mjs
+  document.head.prepend(style); // before the page's own style sheets, so that they can override it
+
+  const manager = new PageManager();
+  for (const tag of document.querySelectorAll(STATE)) {
+    try {
+      await manager.set_state(JSON.parse(tag.textContent));
+    } catch (error) {
+      console.error(error); // its views say so in the page
+    }
+  }
+  await Promise.all([...document.querySelectorAll(VIEW)].map((tag) => show(manager, tag)));
+}
+
+if (document.readyState === 'loading') addEventListener('DOMContentLoaded', start);
+else start();
