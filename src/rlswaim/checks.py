@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterable
 from numbers import Real
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -105,6 +106,14 @@ def increasing(what: str, values: ArrayLike, where: str = "") -> NDArray:
             "wanted increasing stations"
         )
     return array
+
+
+def instance(what: str, value: Any, kind: type, where: str = "") -> Any:
+    """Return ``value`` if it is a ``kind``; TypeError otherwise."""
+    if not isinstance(value, kind):
+        place = f" in {where}" if where else ""
+        raise TypeError(f"{what}{place}: got {type(value).__name__}, wanted {kind.__name__}")
+    return value
 
 
 def one_of(what: str, value: object, names: Iterable[str], where: str = "") -> str:

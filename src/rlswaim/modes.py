@@ -12,6 +12,7 @@ straight ahead of station 27.
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -113,13 +114,32 @@ class BendingMode:
             dict(zip(self.slope_stations.tolist(), (-self.slopes).tolist(), strict=True)),
         )
 
+    @overload
+    def deflection(self, station: float) -> float: ...
+    @overload
+    def deflection(self, station: ArrayLike) -> NDArray: ...
     def deflection(self, station: ArrayLike) -> NDArray | float:
         """Return phi at a station or an array of stations (ft); ValueError outside 0..420 ft."""
         return self._along(station, 0)
 
+    @overload
+    def slope(self, station: float) -> float: ...
+    @overload
+    def slope(self, station: ArrayLike) -> NDArray: ...
     def slope(self, station: ArrayLike) -> NDArray | float:
         """Return sigma = -d phi/d l (1/ft) at stations (ft); ValueError outside 0..420 ft [Eq. 19]."""
         return -self._along(station, 1)
+
+    def withheld_slopes(self, all_at_once: bool = False) -> NDArray:
+        """Return sigma (1/ft) at the printed slope stations when the shape has not been told of it there.
+
+        Each printed slope is left out in its turn, or, on request, all of them at once.
+        """
+        phi = dict(zip(self.stations.tolist(), self.deflections.tolist(), strict=True))
+        known = dict(zip(self.slope_stations.tolist(), (-self.slopes).tolist(), strict=True))
+        rest = [{} if all_at_once else {x: v for x, v in known.items() if x != at} for at in known]
+        shapes = (least_bending_shape(phi, slopes) for slopes in rest)
+        return np.array([-float(shape(at, 1)) for at, shape in zip(known, shapes, strict=True)])
 
     def _along(self, station: ArrayLike, derivative: int) -> NDArray | float:
         if np.ndim(station) == 0:
@@ -140,3 +160,11 @@ def translation_product(masses: NDArray, phi: NDArray) -> float:
 def rotation_product(masses: NDArray, phi: NDArray, arms: NDArray) -> float:
     """Return sum m phi (l_CG - l) (slug ft): zero for a mode orthogonal to rigid rotation."""
     return float(np.sum(masses * phi * arms))
+
+
+def mass_cosine(masses: NDArray, first: NDArray, second: NDArray) -> float:
+    """Return the cosine between two shapes with the masses as weights: 0 if orthogonal, 1 if alike."""
+    product, one, other = (
+        generalized_mass(masses, a, b) for a, b in ((first, second), (first, first), (second, second))
+    )
+    return float(product / np.sqrt(one * other))

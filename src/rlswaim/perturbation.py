@@ -34,7 +34,7 @@ JET_STATION = 140.0
 """Station of the reaction jet (ft) in the report's final design [Figure 25]."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class PerturbationEquations:
     """The linearized equations of motion of one vehicle in one flight condition [Eqs. 29, 125].
 
@@ -55,7 +55,7 @@ class PerturbationEquations:
         "Eq. 125",
     )
     l_CG: float = quantity("l_CG", "ft", "station of the centre of gravity", "Section II")
-    modes: tuple[BendingMode, BendingMode]
+    modes: tuple[BendingMode, ...]
     source: str
 
     def __post_init__(self) -> None:
@@ -154,7 +154,7 @@ class PerturbationEquations:
         """
         return determinant(self.matrix[:order, :order])[: 2 * order] / self.U
 
-    def numerator(self, output: str, signal: str, jet: float = JET_STATION) -> NDArray:
+    def numerator(self, output: str, signal: str, jet: float = JET_STATION, order: int = 4) -> NDArray:
         """Return the numerator of output/input over U by Cramer's rule, constant term first.
 
         Parameters
@@ -165,17 +165,20 @@ class PerturbationEquations:
             One of delta, delta_r, alpha_g.
         jet : float
             Station of the reaction jet (ft).
+        order : int
+            2 for the rigid body alone, 3 with the first mode, 4 with both.
 
         Returns
         -------
-        ndarray, shape (8,)
-            It belongs to the denominator `characteristic_polynomial` [Eqs. 92-94, 131, 132].
+        ndarray, shape (2 order,)
+            It belongs to the denominator `characteristic_polynomial` of the same order
+            [Eqs. 60, 76, 92-94, 131, 132].
         """
-        j = OUTPUTS.index(checks.one_of("output", output, OUTPUTS, "numerator"))
-        replaced = self.matrix.copy()
+        j = OUTPUTS.index(checks.one_of("output", output, OUTPUTS[:order], "numerator"))
+        replaced = self.matrix[:order, :order].copy()
         replaced[:, j] = 0.0
-        replaced[:, j, 0] = self.forcing(signal, jet)
-        return determinant(replaced)[:8] / self.U
+        replaced[:, j, 0] = self.forcing(signal, jet)[:order]
+        return determinant(replaced)[: 2 * order] / self.U
 
 
 def perturbation_equations(booster: Booster) -> PerturbationEquations:
@@ -190,6 +193,7 @@ def perturbation_equations(booster: Booster) -> PerturbationEquations:
     PerturbationEquations
         Coefficients by their formulas at the end of Section I.
     """
+    checks.instance("booster", booster, Booster, "perturbation_equations")
     U = booster.flight.U
     aero = booster.flight.q_D * booster.S
     inertia = dict(zip(ROWS, (booster.M, booster.I_y, *(mode.mass for mode in booster.modes)), strict=True))

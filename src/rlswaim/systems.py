@@ -83,7 +83,8 @@ def _closed_loop(
     )
 
 
-def _gains(system: str, **gains: object) -> list[float]:
+def _gains(system: str, eqs: PerturbationEquations, **gains: object) -> list[float]:
+    checks.instance("eqs", eqs, PerturbationEquations, system)
     return [checks.real(name, value, system) for name, value in gains.items()]
 
 
@@ -135,7 +136,7 @@ def rate_attitude(
     -----
     The control law is Eq. 58; the characteristic equation is that of Eqs. 59 and 83.
     """
-    K_A, K_C, K_R = _gains("rate_attitude", K_A=K_A, K_C=K_C, K_R=K_R)
+    K_A, K_C, K_R = _gains("rate_attitude", eqs, K_A=K_A, K_C=K_C, K_R=K_R)
     station = None if gyro is None else checks.station("gyro", gyro, "rate_attitude")
     return _closed_loop(
         "rate_attitude",
@@ -213,7 +214,7 @@ def single_sensor(
     -----
     Figures 12 to 14, Eqs. 98 to 110.
     """
-    K_A, K_C, K_R, K_z = _gains("single_sensor", K_A=K_A, K_C=K_C, K_R=K_R, K_z=K_z)
+    K_A, K_C, K_R, K_z = _gains("single_sensor", eqs, K_A=K_A, K_C=K_C, K_R=K_R, K_z=K_z)
     station = checks.station("sensor", sensor, "single_sensor")
     return _inner_loop_system("single_sensor", eqs, K_A, K_C, K_R, [_displacement(eqs, "z", K_z, station)])
 
@@ -257,7 +258,7 @@ def two_sensor(
     -----
     Figures 17 and 18, Eqs. 112 to 114.
     """
-    K_A, K_C, K_R, K_za, K_zb = _gains("two_sensor", K_A=K_A, K_C=K_C, K_R=K_R, K_za=K_za, K_zb=K_zb)
+    K_A, K_C, K_R, K_za, K_zb = _gains("two_sensor", eqs, K_A=K_A, K_C=K_C, K_R=K_R, K_za=K_za, K_zb=K_zb)
     at = [
         checks.station(name, value, "two_sensor")
         for name, value in (("sensor_a", sensor_a), ("sensor_b", sensor_b))
@@ -317,7 +318,9 @@ def dual_actuation(
     -----
     Figures 21 to 23, Eqs. 120 to 130: delta_r = -G_12 q_1 - G_14 q_2.
     """
-    K_A, K_C, K_R, kK_z, K_r, b = _gains("dual_actuation", K_A=K_A, K_C=K_C, K_R=K_R, kK_z=kK_z, K_r=K_r, b=b)
+    K_A, K_C, K_R, kK_z, K_r, b = _gains(
+        "dual_actuation", eqs, K_A=K_A, K_C=K_C, K_R=K_R, kK_z=kK_z, K_r=K_r, b=b
+    )
     at = [checks.station(name, value, "dual_actuation") for name, value in (("sensor", sensor), ("jet", jet))]
     return _closed_loop(
         "dual_actuation",

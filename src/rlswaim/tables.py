@@ -1,4 +1,4 @@
-"""The one place where files are read: the tables of ``rlswaim/data``."""
+"""The one place where files are read: the tables of ``rlswaim/data`` and the scripts of the live views."""
 
 import csv
 from functools import cache
@@ -27,8 +27,7 @@ def read_table(name: str) -> tuple[Row, ...]:
         If there is no such table.
     """
     path = files("rlswaim").joinpath("data", f"{name}.csv")
-    with path.open(encoding="utf-8", newline="") as stream:
-        return tuple(csv.DictReader(stream))
+    return tuple(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
 
 
 def constants(name: str) -> dict[str, float]:
@@ -39,3 +38,8 @@ def constants(name: str) -> dict[str, float]:
 def column(name: str, key: str) -> list[float]:
     """Return one numeric column of ``data/<name>.csv``."""
     return [float(row[key]) for row in read_table(name)]
+
+
+def script(*path: str) -> str:
+    """Return a file of a live view as text: ``explorers/<path>``."""
+    return files("rlswaim").joinpath("explorers", *path).read_text(encoding="utf-8")

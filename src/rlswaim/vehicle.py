@@ -59,7 +59,7 @@ class Surface:
         object.__setattr__(self, "C_Nalpha", checks.real("C_Nalpha", self.C_Nalpha, where))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Booster:
     """The booster of the report; ``dataclasses.replace`` varies it.
 
@@ -86,7 +86,7 @@ class Booster:
     S: float = quantity("S", "ft^2", "planform area, reference of all coefficients", "Section II")
     T: float = quantity("T", "lb", "thrust", "Section II")
     surfaces: tuple[Surface, ...]
-    modes: tuple[BendingMode, BendingMode]
+    modes: tuple[BendingMode, ...]
     flight: FlightCondition
     name: str = field(default="Swaim's booster")
 
@@ -105,6 +105,10 @@ class Booster:
         checks.station("thrust point l_CG + l_G", self.thrust_station, self.name)
         if len(self.modes) != 2:
             raise ValueError(f"modes in {self.name}: got {len(self.modes)}, wanted 2 bending modes")
+        checks.instance("flight", self.flight, FlightCondition, self.name)
+        for what, parts, kind in (("modes", self.modes, BendingMode), ("surfaces", self.surfaces, Surface)):
+            for at, part in enumerate(parts):
+                checks.instance(f"{what}[{at}]", part, kind, self.name)
 
     @property
     def thrust_station(self) -> float:
@@ -170,7 +174,12 @@ def swaim_booster() -> Booster:
     return Booster(
         stations=np.array(column("masses", "station_ft")),
         masses=np.array(column("masses", "mass_slug")),
-        **{symbol: data[symbol] for symbol in ("M", "I_y", "l_CG", "l_G", "S", "T")},
+        M=data["M"],
+        I_y=data["I_y"],
+        l_CG=data["l_CG"],
+        l_G=data["l_G"],
+        S=data["S"],
+        T=data["T"],
         surfaces=surfaces,
         modes=(_mode(1), _mode(2)),
         flight=FlightCondition(**{symbol: data[symbol] for symbol in ("q_D", "U", "h", "t")}),

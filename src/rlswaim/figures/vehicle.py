@@ -1,0 +1,146 @@
+"""Figures 1 to 5 and those of Section III: the vehicle, its modes, its ascent, its poles."""
+
+from collections.abc import Mapping
+from itertools import cycle
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike, NDArray
+
+from rlswaim.checks import LENGTH
+from rlswaim.figures.style import COLORS
+from rlswaim.locus import RootLocus
+from rlswaim.vehicle import Booster
+
+
+def _along_the_vehicle(ax: Axes) -> Axes:
+    ax.set_xlim(-8, LENGTH + 14)
+    ax.set_xlabel("station $l$ (ft from the nose)")
+    return ax
+
+
+def draw_masses(ax: Axes, booster: Booster) -> Axes:
+    """Draw the masses, the lifting surfaces, the center of gravity and the thrust point [Figure 1]."""
+    ax.bar(
+        booster.stations, booster.masses / 1000, width=14, color=COLORS["neutral"], alpha=0.6, label="mass"
+    )
+    top = 1.45 * booster.masses.max() / 1000
+    ax.set_ylim(0, top)
+    for surface in booster.surfaces:
+        ax.annotate(
+            f"{surface.name}\n$C_{{N\\alpha}}$ = {surface.C_Nalpha:g}/rad",
+            (surface.station, booster.masses[booster.stations == surface.station].max(initial=0) / 1000),
+            (surface.station - (30 if surface.station > LENGTH / 2 else -5), 0.83 * top),
+            ha="center" if surface.station > LENGTH / 2 else "left",
+            arrowprops={"arrowstyle": "<-", "color": COLORS["rigid"]},
+            color=COLORS["rigid"],
+        )
+    ax.axvline(booster.l_CG, color=COLORS["printed"], linestyle="--")
+    ax.text(booster.l_CG - 4, 0.93 * top, "center of gravity", ha="right")
+    ax.plot(booster.thrust_station, 0, ">", color=COLORS["actuator"], markersize=11, clip_on=False)
+    ax.text(booster.thrust_station, 0.05 * top, "G", color=COLORS["actuator"], ha="center")
+    ax.set_ylabel("concentrated mass (1000 slugs)")
+    return _along_the_vehicle(ax)
+
+
+def draw_elastic_axis(
+    ax: Axes, booster: Booster, q_1: float = 0.0, q_2: float = 0.0, theta: float = 0.0, delta: float = 0.0
+) -> Axes:
+    """Draw the elastic axis moved by q_1, q_2 (ft, up), theta and delta (rad), and the exhaust [Figure 2]."""
+    x = np.linspace(0, LENGTH, 421)
+
+    def height(at: ArrayLike) -> NDArray:
+        bent = q_1 * booster.modes[0].deflection(at) + q_2 * booster.modes[1].deflection(at)
+        return np.asarray(theta * (booster.l_CG - np.asarray(at)) + bent)
+
+    G = booster.thrust_station
+    slope = float(-theta - q_1 * booster.modes[0].slope(G) - q_2 * booster.modes[1].slope(G))
+    ax.axhline(0, color=COLORS["neutral"], linestyle=":", label="undisturbed axis")
+    rigid = theta * (booster.l_CG - x)
+    ax.plot(x, rigid, color=COLORS["rigid"], linestyle="--", label=r"rigid axis, turned by $\theta$")
+    ax.plot(x, height(x), color=COLORS["mode 1"], label="elastic axis")
+    sizes = booster.masses / booster.masses.max()
+    ax.scatter(booster.stations, height(booster.stations), s=160 * sizes, color=COLORS["neutral"], zorder=3)
+    ax.plot(booster.l_CG, 0, "P", color=COLORS["printed"], markersize=9, zorder=4, label="center of gravity")
+    start, reach = float(height(G)), 45.0
+    for angle, style in ((slope, ":"), (slope + delta, "-")):
+        ax.plot([G, G + reach], [start, start + reach * angle], color=COLORS["actuator"], linestyle=style)
+    ax.text(G + reach, start + reach * (slope + delta), r" exhaust, $\delta$ up", color=COLORS["actuator"])
+    ax.set_ylabel("displacement, up (ft)")
+    ax.legend(loc="lower left", fontsize="small")
+    _along_the_vehicle(ax).set_xlim(-8, LENGTH + 120)
+    return ax
+
+
+def draw_mode_shapes(ax: Axes, booster: Booster, slopes: bool = False) -> Axes:
+    """Draw the deflections phi, or the slopes sigma, of both modes with the printed points [Figure 5]."""
+    x = np.linspace(0, LENGTH, 421)
+    for number, (mode, marker, style) in enumerate(
+        zip(booster.modes, "os", ("-", "--"), strict=True), start=1
+    ):
+        symbol = rf"$\sigma_{number}$" if slopes else rf"$\phi_{number}$"
+        at, points = (mode.slope_stations, mode.slopes) if slopes else (mode.stations, mode.deflections)
+        curve = mode.slope(x) if slopes else mode.deflection(x)
+        color = COLORS[f"mode {number}"]
+        ax.plot(x, curve, style, color=color, label=f"{symbol}, least bending")
+        ax.plot(at, points, marker, color=color, markeredgecolor="black", label=f"{symbol}, printed")
+    ax.axhline(0, color=COLORS["neutral"], linewidth=0.8)
+    ax.set_ylabel(r"slope $\sigma=-d\phi/dl$ (1/ft)" if slopes else r"deflection $\phi$ (ft per ft of $q$)")
+    ax.legend(ncols=2, fontsize="small")
+    return _along_the_vehicle(ax)
+
+
+def draw_history(
+    ax: Axes,
+    times: NDArray,
+    curves: Mapping[str, NDArray],
+    quantity: str,
+    printed: tuple[float, float] | None = None,
+) -> Axes:
+    """Draw curves over time (s), each under its own name, and one printed point [Figures 3, 4]."""
+    looks = cycle((("rigid", "-"), ("corrected", "--"), ("mode 2", "-."), ("actuator", ":")))
+    for (name, values), (color, style) in zip(curves.items(), looks, strict=False):
+        ax.plot(times, values, style, color=COLORS[color], label=name)
+    if printed:
+        ax.plot(
+            *printed,
+            "D",
+            label=f"printed: {printed[1]:g} at {printed[0]:g} s",
+            color=COLORS["printed"],
+            linestyle="none",
+        )
+    ax.set_xlabel("time (s)")
+    ax.set_ylabel(quantity)
+    ax.legend(fontsize="small")
+    return ax
+
+
+def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
+    """Draw each pole's path as a parameter runs: hollow where it starts, a cross where it ends."""
+    for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
+        order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
+        color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
+        ax.plot(path.real, path.imag, style, color=color)
+        ax.plot(path[0].real, path[0].imag, "o", color=color, markerfacecolor="none", markersize=8)
+        ax.plot(path[-1].real, path[-1].imag, "x", color=color, markersize=8)
+    for name, (color, style) in {
+        "rigid body": ("rigid", "-"),
+        "mode 1": ("mode 1", "--"),
+        "mode 2": ("mode 2", "-."),
+    }.items():
+        ax.plot([], [], style, color=COLORS[color], label=name)
+    ax.plot(
+        [],
+        [],
+        "o",
+        color="black",
+        markerfacecolor="none",
+        linestyle="none",
+        label=f"{parameter} = {locus.gains[0]:g}",
+    )
+    ax.plot([], [], "x", color="black", linestyle="none", label=f"{parameter} = {locus.gains[-1]:g}")
+    ax.axvline(0, color=COLORS["neutral"], linewidth=0.8)
+    ax.set_xlabel("real part (1/s)")
+    ax.set_ylabel("imaginary part (rad/s)")
+    ax.legend(fontsize="small")
+    return ax
