@@ -1,0 +1,186 @@
+// Polynomials and their roots. Coefficients run from the constant term up; points are pairs of arrays x, y.
+
+const EPS = 2.220446049250313e-16;
+
+export function evaluate(c, x, y) {
+  let re = 0;
+  let im = 0;
+  for (let k = c.length - 1; k >= 0; k--) [re, im] = [re * x - im * y + c[k], re * y + im * x];
+  return [re, im];
+}
+
+export function multiply(a, b) {
+  const product = new Float64Array(a.length + b.length - 1);
+  a.forEach((p, i) => b.forEach((q, j) => (product[i + j] += p * q)));
+  return product;
+}
+
+export const derivative = (c) => Float64Array.from(c.slice(1), (v, k) => v * (k + 1));
+
+export function subtract(a, b) {
+  return Float64Array.from({ length: Math.max(a.length, b.length) }, (_, k) => (a[k] ?? 0) - (b[k] ?? 0));
+}
+
+// Moves n distinct points to the n roots of c, all at once (Aberth's method). Unlike Newton's, two of them never fall
+// on one root, so branches stay apart at break-away points. A point rests once |p| is as small as rounding allows, or
+// after a step shorter than `close` times the distance to its neighbor: what is left is then smaller by close^2 again.
+export function refine(c, n, x, y, close = 1e-6) {
+  let left = 2 ** n - 1; // one bit for each point that still moves
+  for (let sweep = 0; left && sweep < 80; sweep++) {
+    for (let i = 0; i < n; i++) {
+      if (!(left & (1 << i))) continue;
+      const zx = x[i];
+      const zy = y[i];
+      const size = Math.sqrt(zx * zx + zy * zy);
+      let px = c[n];
+      let py = 0;
+      let dx = 0;
+      let dy = 0;
+      let bound = Math.abs(px);
+      for (let k = n - 1; k >= 0; k--) {
+        let t = dx * zx - dy * zy + px;
+        dy = dx * zy + dy * zx + py;
+        dx = t;
+        t = px * zx - py * zy + c[k];
+        py = px * zy + py * zx;
+        px = t;
+        bound = bound * size + Math.abs(c[k]);
+      }
+      let q = px * px + py * py;
+      if (q <= EPS * EPS * bound * bound) {
+        left &= ~(1 << i);
+        continue;
+      }
+      // step = 1 / (p'/p - sum of 1/(z_i - z_j))
+      let sx = (dx * px + dy * py) / q;
+      let sy = (dy * px - dx * py) / q;
+      let gap = Infinity;
+      for (let j = 0; j < n; j++) {
+        if (j === i) continue;
+        const ex = zx - x[j];
+        const ey = zy - y[j];
+        q = ex * ex + ey * ey || 1e-300;
+        if (q < gap) gap = q;
+        sx -= ex / q;
+        sy += ey / q;
+      }
+      q = sx * sx + sy * sy || 1e-300;
+      x[i] -= sx / q;
+      y[i] += sy / q;
+      if (1 <= q * close * close * gap) left &= ~(1 << i);
+    }
+  }
+}
+
+// Points on circles whose radii the size of the coefficients tells (Bini): sound for roots of very different size.
+function startingPoints(c, n) {
+  const hull = [];
+  const height = (k) => Math.log(Math.abs(c[k]));
+  const slope = (a, b) => (height(b) - height(a)) / (b - a);
+  for (let k = 0; k <= n; k++) {
+    if (c[k] === 0) continue;
+    while (hull.length > 1 && slope(hull.at(-2), hull.at(-1)) <= slope(hull.at(-1), k)) hull.pop();
+    hull.push(k);
+  }
+  const x = new Float64Array(n);
+  const y = new Float64Array(n);
+  for (let h = 1; h < hull.length; h++) {
+    const [from, to] = [hull[h - 1], hull[h]];
+    const radius = Math.exp(-slope(from, to));
+    for (let i = from; i < to; i++) {
+      const angle = (2 * Math.PI * (i - from)) / (to - from) + (2 * Math.PI * h) / n + 0.7;
+      x[i] = radius * Math.cos(angle);
+      y[i] = radius * Math.sin(angle);
+    }
+  }
+  return [x, y];
+}
+
+// All roots of a polynomial. Zeros at the origin come out exactly, and real roots exactly real.
+export function roots(c) {
+  let n = c.length - 1;
+  while (n > 0 && c[n] === 0) n--;
+  let m = 0;
+  while (m < n && c[m] === 0) m++;
+  const inner = c.slice(m, n + 1);
+  const [x, y] = startingPoints(inner, n - m);
+  refine(inner, n - m, x, y);
+  settle(x, y);
+  return { x: [...new Float64Array(m), ...x], y: [...new Float64Array(m), ...y] };
+}
+
+// Rounding leaves a real root a little off the axis.
+export function settle(x, y) {
+  for (let i = 0; i < x.length; i++) if (Math.abs(y[i]) <= 1e-13 * Math.abs(x[i])) y[i] = 0;
+}
+
+// For each point of a its partner in b, by least total squared distance. Where two branches leave a break-away both
+// pairings are equally near; turning b by TILT decides for one of them, always the same.
+const TILT = 1e-4;
+
+export function pairing(ax, ay, bx, by, partner) {
+  const n = ax.length;
+  let taken = 0;
+  for (let i = 0; i < n; i++) {
+    let best = Infinity;
+    for (let j = 0; j < n; j++) {
+      const ex = ax[i] - bx[j] - TILT * by[j];
+      const ey = ay[i] - by[j] + TILT * bx[j];
+      const d = ex * ex + ey * ey;
+      if (d < best) {
+        best = d;
+        partner[i] = j;
+      }
+    }
+    taken |= 1 << partner[i];
+  }
+  if (taken !== 2 ** n - 1) assign(ax, ay, bx, by, partner); // two points share the nearest one
+  return partner;
+}
+
+// The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form).
+function assign(ax, ay, bx, by, partner) {
+  const n = ax.length;
+  const cost = (i, j) => (ax[i] - bx[j] - TILT * by[j]) ** 2 + (ay[i] - by[j] + TILT * bx[j]) ** 2;
+  const u = new Float64Array(n + 1);
+  const v = new Float64Array(n + 1);
+  const row = new Int32Array(n + 1).fill(-1); // of each column; column n stands for "not yet"
+  for (let i = 0; i < n; i++) {
+    const least = new Float64Array(n + 1).fill(Infinity);
+    const way = new Int32Array(n + 1);
+    const seen = new Uint8Array(n + 1);
+    let column = n;
+    row[n] = i;
+    while (row[column] >= 0) {
+      seen[column] = 1;
+      const at = row[column];
+      let delta = Infinity;
+      let next = n;
+      for (let j = 0; j < n; j++) {
+        if (seen[j]) continue;
+        const slack = cost(at, j) - u[at] - v[j];
+        if (slack < least[j]) {
+          least[j] = slack;
+          way[j] = column;
+        }
+        if (least[j] < delta) {
+          delta = least[j];
+          next = j;
+        }
+      }
+      for (let j = 0; j <= n; j++) {
+        if (seen[j]) {
+          u[row[j]] += delta;
+          v[j] -= delta;
+        } else least[j] -= delta;
+      }
+      column = next;
+    }
+    while (column !== n) {
+      row[column] = row[way[column]];
+      column = way[column];
+    }
+    row[n] = -1;
+  }
+  for (let j = 0; j < n; j++) partner[row[j]] = j;
+}
