@@ -2,6 +2,13 @@
 
 from collections.abc import Callable
 
-from rlswaim.evidence import section_3
+from rlswaim.evidence import section_2, section_3, section_4, section_5, section_6, section_7
 
-SECTIONS: dict[str, Callable[[], dict[str, float]]] = {"III": section_3.computed}
+SECTIONS: dict[str, Callable[[], dict[str, float]]] = {
+    "II": section_2.computed,
+    "III": section_3.computed,
+    "IV": section_4.computed,
+    "V": section_5.computed,
+    "VI": section_6.computed,
+    "VII": section_7.computed,
+}

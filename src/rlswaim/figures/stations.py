@@ -1,0 +1,95 @@
+"""Maps over stations: Table 3's pairs, and where the poles go as a sensor or a jet moves."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from rlswaim.dual import Stiffening, direct_response
+from rlswaim.figures.style import COLORS
+from rlswaim.locus import RootLocus
+from rlswaim.perturbation import PerturbationEquations
+
+LOOKS = {
+    "no": ("o", COLORS["neutral"]),
+    "higher at the end": ("s", COLORS["rigid"]),
+    "rises throughout": ("^", COLORS["mode 2"]),
+}
+
+
+def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquations) -> Axes:
+    """Draw Table 3: a marker for each pair of stations, and where the jet has no direct effect at the sensor.
+
+    Parameters
+    ----------
+    ax : Axes
+    pairs : sequence of Stiffening
+        From `rlswaim.dual.table_3`; a ring marks pairs that leave no root right of the axis at some gain.
+    eqs : PerturbationEquations
+
+    Returns
+    -------
+    Axes
+    """
+    x = np.arange(0.0, 421.0, 2.0)
+    ax.contour(
+        x,
+        x,
+        direct_response(eqs, x[None, :], x[:, None]),
+        levels=[0.0],
+        colors=COLORS["jet"],
+        linestyles="--",
+    )
+    ax.plot([], [], "--", color=COLORS["jet"], label="no direct effect: Σ φ(z) φ(r)/m = 0")
+    for verdict, (marker, color) in LOOKS.items():
+        chosen = [p for p in pairs if p.verdict == verdict]
+        ax.plot([p.sensor for p in chosen], [p.jet for p in chosen], marker, ms=7, color=color, label=verdict)
+    steady = [p for p in pairs if p.steadies]
+    ax.plot(
+        [p.sensor for p in steady],
+        [p.jet for p in steady],
+        "o",
+        ms=14,
+        mfc="none",
+        mec=COLORS["mode 1"],
+        label="no root right of the axis",
+    )
+    for p in pairs:
+        beside = any(abs(p.sensor - q.sensor) < 8 and p.jet == q.jet and q.case < p.case for q in pairs)
+        ax.annotate(
+            str(p.case),
+            (p.sensor, p.jet),
+            (-14, -12) if beside else (6, 6),
+            textcoords="offset points",
+            fontsize=8,
+        )
+    ax.set(
+        xlabel="station of the sensor (ft)", ylabel="station of the jet (ft)", xlim=(0, 420), ylim=(0, 420)
+    )
+    ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8)
+    return ax
+
+
+def draw_pole_map(ax: Axes, locus: RootLocus, label: str = "station (ft)") -> Axes:
+    """Draw the closed-loop poles of a `parameter_locus` over stations, the station as color.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+        Its ``gains`` are the stations (ft).
+    label : str
+        Of the color scale.
+
+    Returns
+    -------
+    Axes
+    """
+    points = np.column_stack([locus.roots.real.ravel(), locus.roots.imag.ravel()])
+    stations = np.repeat(locus.gains, locus.roots.shape[1])
+    upper = points[:, 1] >= 0
+    shown = ax.scatter(points[upper, 0], points[upper, 1], c=stations[upper], s=8, cmap="viridis", zorder=3)
+    ax.axvline(0.0, color=COLORS["neutral"], lw=0.8)
+    ax.set(xlabel="Re s (1/s)", ylabel="Im s (rad/s)")
+    ax.figure.colorbar(shown, ax=ax, label=label)
+    return ax
