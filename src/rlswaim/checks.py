@@ -84,7 +84,7 @@ def frozen_array(
 
 
 def stations(what: str, values: ArrayLike, where: str = "") -> NDArray:
-    """Return an array of stations in feet; ValueError if one lies outside 0..420 ft."""
+    """Return ``values`` as stations in feet; ValueError if one lies outside 0..420 ft."""
     array = frozen_array(what, values, where)
     outside = np.flatnonzero((array < 0) | (array > LENGTH))
     if outside.size:
@@ -95,7 +95,7 @@ def stations(what: str, values: ArrayLike, where: str = "") -> NDArray:
 
 
 def increasing(what: str, values: ArrayLike, where: str = "") -> NDArray:
-    """Return an array of strictly increasing stations in feet; ValueError otherwise."""
+    """Return ``values`` as strictly increasing stations in feet; ValueError otherwise."""
     array = stations(what, values, where)
     stuck = np.flatnonzero(np.diff(array) <= 0)
     if stuck.size:

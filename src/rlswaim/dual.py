@@ -121,7 +121,7 @@ def closed_1(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> NDArray:
 
 
 def jet_numerator(eqs: PerturbationEquations, loop: JetLoop, as_printed: bool = False) -> NDArray:
-    """Return N of theta/delta_r, or what Eq. 135 prints in its place: alpha/delta_r, not over U."""
+    """Return N of theta/delta_r, or ``as_printed`` in Eq. 135 in its place: alpha/delta_r, not over U."""
     if as_printed:
         return eqs.numerator("alpha", "delta_r", loop.jet) * eqs.U
     return eqs.numerator("theta", "delta_r", loop.jet)
@@ -130,7 +130,7 @@ def jet_numerator(eqs: PerturbationEquations, loop: JetLoop, as_printed: bool = 
 def closure_2(
     eqs: PerturbationEquations, loop: JetLoop, kK_z: float, as_printed: bool = False
 ) -> control.TransferFunction:
-    """Return closure 2's open loop [Eq. 134], with Eq. 135's numerator as printed or as it should be."""
+    """Return closure 2's open loop [Eq. 134], with Eq. 135's numerator ``as_printed`` or as it should be."""
     top = npp.polymul(jet_numerator(eqs, loop, as_printed), elastic_numerator(eqs, "delta", loop)[:6])
     top = kK_z * loop.K_r * npp.polymul([loop.b, 1.0], top)
     bottom = npp.polymul(eqs.numerator("theta", "delta")[:6], closed_1(eqs, loop, kK_z))
@@ -156,7 +156,7 @@ def closure_3(
 
 
 def listed(values: Iterable[complex], digits: int = 3) -> str:
-    """Return roots as text, one of each pair, by size of the real part: ``-1.543, -0.012 ± 1.150j``."""
+    """Return roots (``values``) to some ``digits``, one of each pair, by real part: ``-1.543, -0.012 ± 1.150j``."""
     upper = sorted((complex(v) for v in values if np.imag(v) >= 0), key=lambda v: (v.real, v.imag))
     return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)
 

@@ -235,7 +235,7 @@ def _picture(
         if not bad.any():
             break
         # The deviation falls with the square of the step.
-        pieces = np.clip(np.ceil(1.1 * np.sqrt(stray[bad] / tolerance)), 2, 9).astype(int)
+        pieces = np.clip(np.ceil(1.25 * np.sqrt(stray[bad] / tolerance)), 2, 12).astype(int)
         gains, values = _merged(
             loop, sign, gains, values, _cut(gains[:-1][bad], gains[1:][bad], pieces, offset)
         )

@@ -208,7 +208,7 @@ def sensor_zeros(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
 
 
 def open_loop_parts(eqs: PerturbationEquations, K_C: float) -> dict[str, NDArray]:
-    """Return the open loop's poles (1/s) by origin: rigid body and modes of ``eqs``, actuator (K_C in 1/s)."""
+    """Return the open loop's poles (1/s) by origin: rigid body, modes of ``eqs``, actuator (K_C in 1/s)."""
     poles = roots(eqs.characteristic_polynomial())
     size = np.sort(np.abs(poles[poles.imag > 0]))
     pair = [poles[(poles.imag != 0) & np.isclose(np.abs(poles), s)] for s in size]

@@ -127,13 +127,13 @@ class BendingMode:
     @overload
     def slope(self, station: ArrayLike) -> NDArray: ...
     def slope(self, station: ArrayLike) -> NDArray | float:
-        """Return sigma = -d phi/d l (1/ft) at stations (ft); ValueError outside 0..420 ft [Eq. 19]."""
+        """Return sigma = -d phi/d l (1/ft) at a station or stations (ft); ValueError outside 0..420 ft [Eq. 19]."""
         return -self._along(station, 1)
 
     def withheld_slopes(self, all_at_once: bool = False) -> NDArray:
         """Return sigma (1/ft) at the printed slope stations when the shape has not been told of it there.
 
-        Each printed slope is left out in its turn, or, on request, all of them at once.
+        Each printed slope is left out in its turn, or, with ``all_at_once``, all of them.
         """
         phi = dict(zip(self.stations.tolist(), self.deflections.tolist(), strict=True))
         known = dict(zip(self.slope_stations.tolist(), (-self.slopes).tolist(), strict=True))
@@ -148,22 +148,22 @@ class BendingMode:
 
 
 def generalized_mass(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return sum m phi_i phi_j (slug): the generalized mass for i = j, zero for orthogonal modes."""
+    """Return sum of masses (slug) by first by second shape: generalized mass if alike, 0 if orthogonal."""
     return float(np.sum(masses * first * second))
 
 
 def translation_product(masses: NDArray, phi: NDArray) -> float:
-    """Return sum m phi (slug): zero for a mode orthogonal to rigid translation [Section II]."""
+    """Return sum of masses by phi (slug): zero for a mode orthogonal to rigid translation [Section II]."""
     return float(np.sum(masses * phi))
 
 
 def rotation_product(masses: NDArray, phi: NDArray, arms: NDArray) -> float:
-    """Return sum m phi (l_CG - l) (slug ft): zero for a mode orthogonal to rigid rotation."""
+    """Return sum of masses (slug) by phi by arms l_CG - l (ft): zero for a mode orthogonal to rotation."""
     return float(np.sum(masses * phi * arms))
 
 
 def mass_cosine(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return the cosine between two shapes with the masses as weights: 0 if orthogonal, 1 if alike."""
+    """Return the cosine between a first and a second shape, masses as weights: 0 if orthogonal, 1 if alike."""
     product, one, other = (
         generalized_mass(masses, a, b) for a, b in ((first, second), (first, first), (second, second))
     )

@@ -61,7 +61,7 @@ class OpenLoop:
         )
 
     def polynomials(self, gains: NDArray) -> tuple[NDArray, NDArray]:
-        """Return the closed-loop polynomials D + k N, and |D| + |k N|; each (n + 1, K), constant first."""
+        """Return the polynomials D + k N for gains k (K,), and |D| + |k N|; each (n + 1, K), constant first."""
         N = np.zeros(self.denominator.size)
         N[: self.numerator.size] = self.numerator
         D, kN = self.denominator[:, None], np.multiply.outer(N, gains)

@@ -31,7 +31,7 @@ def determinant(matrix: NDArray) -> NDArray:
 
 
 def trimmed(coefficients: ArrayLike) -> NDArray:
-    """Return the polynomial without leading zeros (at the end: constant term first)."""
+    """Return a polynomial's coefficients without leading zeros (at the end: constant term first)."""
     return npp.polytrim(np.asarray(coefficients, dtype=float))
 
 
@@ -80,7 +80,7 @@ def horner(
 
 
 def polished(coefficients: NDArray, approximations: NDArray) -> NDArray:
-    """Return roots after one Newton step each, where that step can only improve them.
+    """Return roots: approximations after one Newton step on the coefficients where it can only improve.
 
     A step is taken where it is small and larger than the rounding error of the
     polynomial explains; multiple roots are left as they are.

@@ -14,10 +14,10 @@ class Notation(NamedTuple):
 
 
 def quantity(symbol: str, unit: str, meaning: str, source: str, **options: Any) -> Any:
-    """Return a dataclass field that carries its line of the notation page."""
+    """Return a dataclass field with symbol, unit, meaning, source and the field's own options."""
     return dataclasses.field(metadata={"notation": Notation(symbol, unit, meaning, source)}, **options)
 
 
 def notation(record: type) -> dict[str, Notation]:
-    """Return the notation of a dataclass by field name; fields without one are left out."""
+    """Return the notation of a dataclass (record) by field name; fields without one are left out."""
     return {f.name: f.metadata["notation"] for f in dataclasses.fields(record) if "notation" in f.metadata}

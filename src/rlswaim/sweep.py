@@ -99,7 +99,7 @@ def sweep(
 def evaluate(
     function: Function, axes: Mapping[str, NDArray], shape: tuple[int, ...], start: int, stop: int
 ) -> NDArray:
-    """Return the values of one chunk of a grid, points ``start`` to ``stop``; shape (stop - start,)."""
+    """Return a function's values on one chunk of a grid of axes, points ``start`` to ``stop``; shape (stop - start,)."""
     index = np.unravel_index(np.arange(start, stop), shape)
     point = {key: axis[i] for (key, axis), i in zip(axes.items(), index, strict=True)}
     found = np.asarray(function(**point))

@@ -36,7 +36,7 @@ def constants(name: str) -> dict[str, float]:
 
 
 def column(name: str, key: str) -> list[float]:
-    """Return one numeric column of ``data/<name>.csv``."""
+    """Return column ``key`` of ``data/<name>.csv`` as numbers."""
     return [float(row[key]) for row in read_table(name)]
 
 

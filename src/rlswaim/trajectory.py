@@ -70,7 +70,7 @@ class Ascent:
         checks.positive("mass at burnout", self.M_0 - self.m_p * self.t_burn, "Ascent")
 
     def times(self, t: ArrayLike) -> NDArray:
-        """Return times (s) as an array; ValueError outside 0..t_burn."""
+        """Return times t (s) as an array; ValueError outside 0..t_burn."""
         array = checks.frozen_array("t", t, "Ascent")
         if array.min() < 0 or array.max() > self.t_burn:
             worst = array.flat[np.argmax(np.abs(array - self.t_burn / 2))]
@@ -82,22 +82,22 @@ class Ascent:
         return self.M_0 - self.m_p * self.times(t)
 
     def acceleration(self, t: ArrayLike, sine: ArrayLike) -> NDArray:
-        """Return a_0 = T/M - g sin gamma_0 (ft/s^2) along the flight path [Eq. 30]."""
+        """Return a_0 = T/M - g sin gamma_0 (ft/s^2) at t (s) for a sine of the path [Eq. 30]."""
         return self.T / self.mass(t) - self.g * np.asarray(sine)
 
     def speed(self, t: ArrayLike, mean_sine: ArrayLike) -> NDArray:
-        """Return U (ft/s): the integral of a_0 [Eqs. 31, 32]."""
+        """Return U (ft/s) at t (s) with mean_sine of gamma_0: the integral of a_0 [Eqs. 31, 32]."""
         s = np.asarray(mean_sine)
         return self.T / self.m_p * np.log(self.M_0 / self.mass(t)) - self.g * self.times(t) * s
 
     def altitude(self, t: ArrayLike, mean_sine: ArrayLike) -> NDArray:
-        """Return h (ft) with the mean sine taken out of the integrals [Eq. 37]."""
+        """Return h (ft) at t (s), mean_sine taken out of the integrals [Eq. 37]."""
         t, s, burn = self.times(t), np.asarray(mean_sine), self.M_0 / self.m_p
         log = np.log(self.M_0 / self.mass(t))
         return self.T * s / self.m_p * ((1 + log) * t - burn * log) - self.g * t**2 * s**2 / 2
 
     def altitude_before_collecting(self, t: ArrayLike, mean_sine: ArrayLike) -> NDArray:
-        """Return h (ft) as first integrated; the same as `altitude` [Eqs. 35, 36]."""
+        """Return h (ft) as first integrated in t and mean_sine; the same as `altitude` [Eqs. 35, 36]."""
         t, s, burn = self.times(t), np.asarray(mean_sine), self.M_0 / self.m_p
         logs = t * np.log(self.M_0) + (burn - t) * (np.log(self.mass(t)) - 1) - burn * (np.log(self.M_0) - 1)
         return self.T * s / self.m_p * logs - self.g * t**2 * s**2 / 2
@@ -107,7 +107,7 @@ class Ascent:
         return float((self.speed(t, 0.0) - U) / (self.g * t))
 
     def mean_sine_for_altitude(self, t: float, h: float) -> float:
-        """Return the mean sin gamma_0 with which Eq. 37 gives the altitude h (ft); ValueError if none."""
+        """Return the mean sin gamma_0 with which Eq. 37 gives the altitude h (ft) at t (s); ValueError if none."""
         if not 0 <= h <= self.altitude(t, 1.0):
             raise ValueError(f"h: got {h:g} ft, wanted 0 to {self.altitude(t, 1.0):g} ft at t = {t:g} s")
         return float(brentq(lambda s: float(self.altitude(t, s)) - h, 0.0, 1.0))
@@ -120,7 +120,7 @@ def swaim_ascent() -> Ascent:
 
 
 def level_at_burnout(ascent: Ascent) -> PitchProgram:
-    """Return gamma_0 = 90 deg (1 - t/t_burn): a constant turn from vertical at launch to level."""
+    """Return for an ascent gamma_0 = 90 deg (1 - t/t_burn): a constant turn from vertical at launch to level."""
     return lambda t: np.pi / 2 * (1 - t / ascent.t_burn)
 
 
@@ -178,7 +178,7 @@ def fly(ascent: Ascent, gamma_0: PitchProgram, times: ArrayLike) -> Trajectory:
 
 
 def closed_form(ascent: Ascent, gamma_0: PitchProgram, times: ArrayLike) -> Trajectory:
-    """Return the ascent by Eqs. 32 and 37 with the running mean of Eq. 33; parameters as in `fly`."""
+    """Return the ascent by Eqs. 32 and 37, gamma_0 in the running mean of Eq. 33, at times; parameters as in `fly`."""
     run = ascent.times(times)
     sines = np.array([mean_sine(gamma_0, float(t)) for t in run])
     return Trajectory(run, ascent.speed(run, sines), ascent.altitude(run, sines))

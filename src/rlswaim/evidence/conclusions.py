@@ -42,17 +42,17 @@ def margin(poles: NDArray) -> Margin:
 
 
 def found_gains(system: str) -> dict[str, float]:
-    """Return the gains and stations of ``data/gains_found.csv`` for dual_actuation or single_sensor."""
+    """Return the gains and stations of ``data/gains_found.csv`` for a ``system``: dual_actuation or single_sensor."""
     return {r["parameter"]: float(r["value"]) for r in read_table("gains_found") if r["system"] == system}
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
-    """Return the closed loop with the found gains, as state space."""
+    """Return the closed loop of a ``system`` with the found gains, as state space."""
     return getattr(systems, system)(eqs, **found_gains(system))
 
 
 def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
-    """Return the same loop's characteristic polynomial from determinants, constant term first."""
+    """Return the characteristic polynomial of the same ``system`` from determinants, constant term first."""
     g = found_gains(system)
     if system == "single_sensor":
         top = eqs.numerator("theta", "delta")

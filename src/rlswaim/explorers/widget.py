@@ -101,7 +101,7 @@ class Checked(traitlets.TraitType):
         self.parameter = parameter
 
     def validate(self, obj: "Explorer", value: object) -> Value:
-        """Return the value; ValueError or TypeError where the parameter doesn't allow it."""
+        """Return the value for ``obj``; ValueError or TypeError where the parameter doesn't allow it."""
         return self.parameter.check(self.parameter.name, value, f"{obj.system} explorer")
 
 

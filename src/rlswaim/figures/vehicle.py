@@ -97,7 +97,7 @@ def draw_history(
     quantity: str,
     printed: tuple[float, float] | None = None,
 ) -> Axes:
-    """Draw curves over time (s), each under its own name, and one printed point [Figures 3, 4]."""
+    """Draw a ``quantity``'s curves over ``times`` (s), each under its name, and one printed point [Figures 3, 4]."""
     looks = cycle((("rigid", "-"), ("corrected", "--"), ("mode 2", "-."), ("actuator", ":")))
     for (name, values), (color, style) in zip(curves.items(), looks, strict=False):
         ax.plot(times, values, style, color=COLORS[color], label=name)
@@ -116,7 +116,7 @@ def draw_history(
 
 
 def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
-    """Draw each pole's path as a parameter runs: hollow where it starts, a cross where it ends."""
+    """Draw each path of a ``locus`` as a parameter runs: hollow where it starts, a cross where it ends."""
     for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
         order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
         color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
