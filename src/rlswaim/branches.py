@@ -55,7 +55,7 @@ def continuous_branches(values: NDArray, vectors: NDArray | None = None) -> NDAr
     same = (step == np.arange(n)).all(axis=1)
     order = np.empty((K, n), dtype=int)
     current, start = np.arange(n), 0
-    for i in np.flatnonzero(~same):
+    for i in np.flatnonzero(~same).tolist():
         order[start : i + 1] = current
         current, start = step[i][current], i + 1
     order[start:] = current

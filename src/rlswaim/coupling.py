@@ -143,7 +143,7 @@ def divergence_frequency(booster: Booster) -> float:
 
 
 def dynamic_pressure_locus(booster: Booster, values: ArrayLike) -> RootLocus:
-    """Return the vehicle's poles while q_D runs over ``values`` (lb/ft^2), all else kept; without air nothing couples."""
+    """Return the vehicle's poles as q_D runs over ``values`` (lb/ft^2); without air nothing couples."""
 
     def vehicle(q_D: float) -> control.StateSpace:
         varied = replace(booster, flight=replace(booster.flight, q_D=q_D))
@@ -158,7 +158,7 @@ def doubling_time(pole: float) -> float:
 
 
 def gust_response(eqs: PerturbationEquations, times: ArrayLike, alpha_g: float, modes: int = 2) -> NDArray:
-    """Return theta (rad) at ``times`` (s), shape (N,), after a gust ``alpha_g`` (rad); with 0, 1 or 2 modes."""
+    """Return theta (rad) at ``times`` (s), shape (N,), after a gust ``alpha_g`` (rad); 0, 1 or 2 modes."""
     vehicle, n = eqs.state_space(), 3 + 2 * modes
     gust = vehicle.input_labels.index("alpha_g")
     kept = control.ss(vehicle.A[:n, :n], vehicle.B[:n, [gust]], np.eye(n)[[1]], np.zeros((1, 1)))

@@ -156,7 +156,7 @@ def closure_3(
 
 
 def listed(values: Iterable[complex], digits: int = 3) -> str:
-    """Return roots (``values``) to some ``digits``, one of each pair, by real part: ``-1.543, -0.012 ± 1.150j``."""
+    """Return roots (``values``) to so many ``digits``, one of each pair: ``-1.543, -0.012 ± 1.150j``."""
     upper = sorted((complex(v) for v in values if np.imag(v) >= 0), key=lambda v: (v.real, v.imag))
     return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)
 

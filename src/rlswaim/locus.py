@@ -323,7 +323,7 @@ def root_locus(
     loop = open_loop(system)
     breaks, crosses = break_aways(loop), crossings(loop)
     if gains is None:
-        marks = sign * np.array([m.gain for m in (*breaks, *crosses)])
+        marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crosses])
         if loop.D:  # a root passes through infinity: go close on either side
             lost = -sign / loop.D
             near = lost * (1 + np.array([-1e-7, 1e-7]))

@@ -127,7 +127,7 @@ class BendingMode:
     @overload
     def slope(self, station: ArrayLike) -> NDArray: ...
     def slope(self, station: ArrayLike) -> NDArray | float:
-        """Return sigma = -d phi/d l (1/ft) at a station or stations (ft); ValueError outside 0..420 ft [Eq. 19]."""
+        """Return sigma = -d phi/d l (1/ft) at a station or more; ValueError outside 0..420 ft [Eq. 19]."""
         return -self._along(station, 1)
 
     def withheld_slopes(self, all_at_once: bool = False) -> NDArray:
@@ -163,7 +163,7 @@ def rotation_product(masses: NDArray, phi: NDArray, arms: NDArray) -> float:
 
 
 def mass_cosine(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return the cosine between a first and a second shape, masses as weights: 0 if orthogonal, 1 if alike."""
+    """Return the cosine of a first and a second shape, masses as weights: 0 if orthogonal, 1 if alike."""
     product, one, other = (
         generalized_mass(masses, a, b) for a, b in ((first, second), (first, first), (second, second))
     )

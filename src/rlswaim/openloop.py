@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import control
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from rlswaim import checks
 from rlswaim.polynomials import characteristic_polynomial, polished, roots, trimmed
 
-System = control.StateSpace | control.TransferFunction | Sequence[ArrayLike]
+System: TypeAlias = control.StateSpace | control.TransferFunction | Sequence[ArrayLike]
 EPS = np.finfo(float).eps
 
 
@@ -61,7 +61,7 @@ class OpenLoop:
         )
 
     def polynomials(self, gains: NDArray) -> tuple[NDArray, NDArray]:
-        """Return the polynomials D + k N for gains k (K,), and |D| + |k N|; each (n + 1, K), constant first."""
+        """Return D + k N for gains k (K,), and |D| + |k N|: each (n + 1, K), constant term first."""
         N = np.zeros(self.denominator.size)
         N[: self.numerator.size] = self.numerator
         D, kN = self.denominator[:, None], np.multiply.outer(N, gains)

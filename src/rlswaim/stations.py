@@ -20,7 +20,7 @@ SAMPLES = np.linspace(0, checks.LENGTH, 9)
 """Stations (ft) at which closed loops are built; four would do."""
 
 
-def _basis(modes: tuple[BendingMode, BendingMode], stations: ArrayLike) -> NDArray:
+def _basis(modes: tuple[BendingMode, ...], stations: ArrayLike) -> NDArray:
     """Return what a station enters the equations by: 1, l, phi_1, phi_2; shape (m, 4)."""
     x = np.atleast_1d(np.asarray(stations, dtype=float))
     return np.column_stack([np.ones(x.size), x, *(mode.deflection(x) for mode in modes)])
@@ -34,7 +34,7 @@ class DualActuationFamily:
     l, phi_1 and phi_2: a few closed loops fix them.
     """
 
-    modes: tuple[BendingMode, BendingMode]
+    modes: tuple[BendingMode, ...]
     matrix: NDArray
     jet_state: int
     rows: NDArray

@@ -3,7 +3,7 @@
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, as_completed
 from importlib.metadata import version
 from pathlib import Path
@@ -99,7 +99,7 @@ def sweep(
 def evaluate(
     function: Function, axes: Mapping[str, NDArray], shape: tuple[int, ...], start: int, stop: int
 ) -> NDArray:
-    """Return a function's values on one chunk of a grid of axes, points ``start`` to ``stop``; shape (stop - start,)."""
+    """Return a function's values on points ``start`` to ``stop`` of a grid of axes; shape (stop - start,)."""
     index = np.unravel_index(np.arange(start, stop), shape)
     point = {key: axis[i] for (key, axis), i in zip(axes.items(), index, strict=True)}
     found = np.asarray(function(**point))
@@ -111,7 +111,14 @@ def evaluate(
     return found.astype(float)
 
 
-def _results(function, axes, shape, bounds, executor, store):
+def _results(
+    function: Function,
+    axes: Mapping[str, NDArray],
+    shape: tuple[int, ...],
+    bounds: Sequence[tuple[int, int]],
+    executor: Executor | None,
+    store: "_Store | None",
+) -> Iterator[tuple[int, NDArray]]:
     """Yield each chunk's start and values: stored ones first, the others as they finish."""
     waiting = []
     for start, stop in bounds:

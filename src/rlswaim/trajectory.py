@@ -107,7 +107,7 @@ class Ascent:
         return float((self.speed(t, 0.0) - U) / (self.g * t))
 
     def mean_sine_for_altitude(self, t: float, h: float) -> float:
-        """Return the mean sin gamma_0 with which Eq. 37 gives the altitude h (ft) at t (s); ValueError if none."""
+        """Return the mean sin gamma_0 for which Eq. 37 gives h (ft) at t (s); ValueError if none."""
         if not 0 <= h <= self.altitude(t, 1.0):
             raise ValueError(f"h: got {h:g} ft, wanted 0 to {self.altitude(t, 1.0):g} ft at t = {t:g} s")
         return float(brentq(lambda s: float(self.altitude(t, s)) - h, 0.0, 1.0))
@@ -120,7 +120,7 @@ def swaim_ascent() -> Ascent:
 
 
 def level_at_burnout(ascent: Ascent) -> PitchProgram:
-    """Return for an ascent gamma_0 = 90 deg (1 - t/t_burn): a constant turn from vertical at launch to level."""
+    """Return an ascent's gamma_0 = 90 deg (1 - t/t_burn): a constant turn from vertical to level."""
     return lambda t: np.pi / 2 * (1 - t / ascent.t_burn)
 
 
@@ -178,7 +178,7 @@ def fly(ascent: Ascent, gamma_0: PitchProgram, times: ArrayLike) -> Trajectory:
 
 
 def closed_form(ascent: Ascent, gamma_0: PitchProgram, times: ArrayLike) -> Trajectory:
-    """Return the ascent by Eqs. 32 and 37, gamma_0 in the running mean of Eq. 33, at times; parameters as in `fly`."""
+    """Return the ascent by Eqs. 32 and 37, gamma_0 as in Eq. 33, at times; parameters as in `fly`."""
     run = ascent.times(times)
     sines = np.array([mean_sine(gamma_0, float(t)) for t in run])
     return Trajectory(run, ascent.speed(run, sines), ascent.altitude(run, sines))

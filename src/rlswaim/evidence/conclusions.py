@@ -42,7 +42,7 @@ def margin(poles: NDArray) -> Margin:
 
 
 def found_gains(system: str) -> dict[str, float]:
-    """Return the gains and stations of ``data/gains_found.csv`` for a ``system``: dual_actuation or single_sensor."""
+    """Return the found gains and stations of a ``system``, ``dual_actuation`` or ``single_sensor``."""
     return {r["parameter"]: float(r["value"]) for r in read_table("gains_found") if r["system"] == system}
 
 

@@ -97,7 +97,7 @@ def draw_history(
     quantity: str,
     printed: tuple[float, float] | None = None,
 ) -> Axes:
-    """Draw a ``quantity``'s curves over ``times`` (s), each under its name, and one printed point [Figures 3, 4]."""
+    """Draw a ``quantity``'s curves over ``times`` (s) and one printed point [Figures 3, 4]."""
     looks = cycle((("rigid", "-"), ("corrected", "--"), ("mode 2", "-."), ("actuator", ":")))
     for (name, values), (color, style) in zip(curves.items(), looks, strict=False):
         ax.plot(times, values, style, color=COLORS[color], label=name)

@@ -1,0 +1,151 @@
+"""Root loci for print: branches, open-loop poles and zeros, closed-loop roots, the report's roots."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike, NDArray
+
+from rlswaim.figures.style import COLORS
+from rlswaim.locus import RootLocus
+from rlswaim.loops import Closure
+
+STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": (0, (5, 1, 1, 1, 1, 1))}
+"""A line style for each part, so that a locus is read without its colors too."""
+
+PART_NAMES = {"rigid": "rigid body", "mode 1": "first mode", "mode 2": "second mode"}
+
+Window = tuple[float, float, float, float]
+
+
+def draw_damping_grid(ax: Axes, zetas: Sequence[float] = (0.2, 0.5, 0.8)) -> Axes:
+    """Draw rays of damping ratios ``zetas`` over the left half plane of ``ax``, whose limits are set."""
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    reach = np.hypot(left, top)
+    for zeta in zetas:
+        x, y = -zeta * reach, np.sqrt(1 - zeta**2) * reach
+        ax.plot([0, x], [0, y], color=COLORS["neutral"], lw=0.6, ls=(0, (2, 3)), zorder=0)
+        inside = min(left / x, top / y) * 0.93
+        ax.text(x * inside, y * inside, rf"$\zeta$ = {zeta:g}", fontsize=7, color=COLORS["neutral"])
+    ax.axhline(0, color="0.4", lw=0.6, zorder=0)
+    ax.axvline(0, color="0.4", lw=0.6, zorder=0)
+    ax.set(xlim=(left, right), ylim=(bottom, top))
+    return ax
+
+
+def draw_poles(ax: Axes, poles: ArrayLike, label: str, marker: str = "s", color: str = "0.15") -> Axes:
+    """Mark ``poles`` (1/s), shape (n,), on ``ax`` with a ``label``, ``marker`` and ``color``."""
+    at = np.asarray(poles, dtype=complex)
+    ax.plot(at.real, at.imag, marker, ms=5.5, mfc="white", mec=color, mew=1.4, ls="", label=label, zorder=4)
+    return ax
+
+
+def draw_printed_roots(ax: Axes, roots: ArrayLike, label: str = "printed in the report") -> Axes:
+    """Mark printed ``roots`` (1/s), shape (n,), and their conjugates on ``ax`` with a ``label``."""
+    at = np.asarray(roots, dtype=complex)
+    both = np.concatenate([at, at[at.imag != 0].conj()])
+    ax.plot(both.real, both.imag, "D", ms=9, mfc="none", mec=COLORS["printed"], ls="", label=label, zorder=5)
+    return ax
+
+
+def _arrow(ax: Axes, branch: NDArray, color: str, window: Window) -> None:
+    """Point out the way of rising gain, halfway along the visible part of one branch."""
+    left, right, bottom, top = window
+    seen = (
+        (branch.real > left) & (branch.real < right) & (branch.imag >= max(bottom, 0)) & (branch.imag < top)
+    )
+    length = np.cumsum(np.abs(np.diff(branch)) * (seen[1:] & seen[:-1]))
+    if not length.size or length[-1] < 0.04 * (right - left):
+        return
+    i = int(np.searchsorted(length, length[-1] / 2))
+    while i > 0 and abs(branch[i + 1] - branch[i]) < 1e-3 * (right - left):
+        i -= 1
+    a, b = branch[i], branch[i + 1]
+    ax.annotate(
+        "", (b.real, b.imag), (a.real, a.imag), arrowprops={"arrowstyle": "-|>", "color": color, "lw": 1.2}
+    )
+
+
+def draw_root_locus(
+    ax: Axes, locus: RootLocus, window: Window, parts: Mapping[str, Sequence[int]] | None = None
+) -> Axes:
+    """Draw a root locus with its open-loop poles and zeros and arrows for rising gain.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+        Its first gain is 0.
+    window : tuple of float
+        Left, right, bottom and top of the picture (1/s).
+    parts : mapping of str to sequence of int, optional
+        Which branches (columns of ``locus.roots``) start from the rigid body, a mode, the actuator.
+
+    Returns
+    -------
+    Axes
+    """
+    part_of = {j: name for name, columns in (parts or {}).items() for j in columns}
+    for j, branch in enumerate(locus.roots.T):
+        name = part_of.get(j, "neutral")
+        ax.plot(branch.real, branch.imag, color=COLORS[name], ls=STYLES.get(name, "-"), zorder=2)
+        _arrow(ax, branch, COLORS[name], window)
+    for name in parts or {}:
+        ax.plot([], [], color=COLORS[name], ls=STYLES[name], label=f"from the {PART_NAMES.get(name, name)}")
+    ax.plot(locus.poles.real, locus.poles.imag, "kx", ms=7, mew=1.5, label="open-loop poles", zorder=3)
+    ax.plot(locus.zeros.real, locus.zeros.imag, "ko", ms=7, mfc="none", label="open-loop zeros", zorder=3)
+    ax.set(xlim=window[:2], ylim=window[2:], xlabel="real part (1/s)", ylabel="imaginary part (1/s)")
+    return draw_damping_grid(ax)
+
+
+def draw_closure(ax: Axes, closure: Closure, window: Window, label: str) -> Axes:
+    """Draw a ``closure`` on ``ax`` (``window`` as in `draw_root_locus`), its poles with a ``label``."""
+    draw_root_locus(ax, closure.locus, window, closure.parts)
+    return draw_poles(ax, closure.poles, label)
+
+
+def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: str, ylabel: str) -> Axes:
+    """Draw named ``curves`` over ``x`` on ``ax``, with ``xlabel`` and ``ylabel``; a part keeps its color."""
+    others = ("printed", "corrected", "jet", "neutral")
+    for i, (name, y) in enumerate(curves.items()):
+        color = COLORS.get(name, COLORS[others[i % 4]])
+        ax.plot(x, y, ("-", "--", "-.", ":")[i % 4], color=color, label=PART_NAMES.get(name, name))
+    ax.axhline(0, color="0.4", lw=0.6)
+    ax.set(xlabel=xlabel, ylabel=ylabel)
+    ax.legend()
+    return ax
+
+
+def draw_sensor_zeros(
+    ax: Axes, stations: NDArray, zeros: NDArray, printed: Mapping[float, ArrayLike]
+) -> Axes:
+    """Draw the zeros of Eq. 119 as size |s| over the sensor station, real and complex ones apart.
+
+    Parameters
+    ----------
+    ax : Axes
+    stations : ndarray, shape (K,)
+        Sensor stations (ft).
+    zeros : ndarray of complex, shape (K, n)
+    printed : mapping of station to zeros
+        Complex zeros that the report prints (1/s).
+
+    Returns
+    -------
+    Axes
+    """
+    at = np.broadcast_to(stations[:, None], zeros.shape)
+    for what, chosen, style in (
+        ("real, right half plane", (zeros.imag == 0) & (zeros.real > 0), ("^", "mode 2")),
+        ("real, left half plane", (zeros.imag == 0) & (zeros.real < 0), ("v", "rigid")),
+        ("complex pair", zeros.imag > 0, ("o", "mode 1")),
+    ):
+        ax.plot(
+            at[chosen], np.abs(zeros[chosen]), style[0], ms=3.5, mfc="none", mec=COLORS[style[1]], label=what
+        )
+    for i, (station, pairs) in enumerate(printed.items()):
+        size = np.abs(np.asarray(pairs))
+        label = None if i else "printed pairs"
+        ax.plot(np.full(size.shape, station), size, "D", ms=8, mfc="none", mec=COLORS["printed"], label=label)
+    ax.set(xlabel="sensor station (ft)", ylabel="|zero| (1/s)")
+    return ax
