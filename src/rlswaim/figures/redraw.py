@@ -1,10 +1,13 @@
 """A root locus that is redrawn in a kernel: axes and artists stay, only the data change."""
 
 from itertools import cycle
+from typing import Any
 
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from numpy.typing import NDArray
 
+from rlswaim import checks
 from rlswaim.figures.style import COLORS
 from rlswaim.locus import RootLocus
 
@@ -17,20 +20,21 @@ class LocusPicture:
     Parameters
     ----------
     ax : Axes
-        On a canvas that can copy its pixels, as Agg and the interactive backends can.
+        On an Agg canvas, as the inline, widget and Qt or Tk Agg backends have.
     locus : RootLocus
         The first one; later ones have as many branches.
     """
 
     def __init__(self, ax: Axes, locus: RootLocus) -> None:
         self.ax = ax
+        self.canvas = checks.instance("canvas", ax.figure.canvas, FigureCanvasAgg, "LocusPicture")
         ax.set(xlabel="real part (1/s)", ylabel="imaginary part (1/s)")
         colors = cycle(COLORS.values())
-        styles = [{"color": next(colors)} for _ in locus.roots.T]
+        styles: list[dict[str, Any]] = [{"color": next(colors)} for _ in locus.roots.T]
         styles += [{"color": "k", "marker": marker, "mfc": "none", "ls": ""} for marker in "xo"]
         self.artists = [ax.plot([], [], animated=True, **style)[0] for style in styles]
-        ax.figure.canvas.draw()
-        self.background = ax.figure.canvas.copy_from_bbox(ax.figure.bbox)
+        self.canvas.draw()
+        self.background = self.canvas.copy_from_bbox(ax.figure.bbox)
         self.update(locus)
 
     def update(self, locus: RootLocus) -> Axes:
@@ -39,11 +43,10 @@ class LocusPicture:
             raise ValueError(
                 f"LocusPicture: got {locus.roots.shape[1]} branches, wanted {len(self.artists) - 2}"
             )
-        canvas = self.ax.figure.canvas
-        canvas.restore_region(self.background)
+        self.canvas.restore_region(self.background)
         points: list[NDArray] = [*locus.roots.T, locus.poles, locus.zeros]
         for artist, at in zip(self.artists, points, strict=True):
             artist.set_data(at.real, at.imag)
             self.ax.draw_artist(artist)
-        canvas.blit(self.ax.bbox)
+        self.canvas.blit(self.ax.bbox)
         return self.ax

@@ -1,0 +1,89 @@
+# Two commands: `make serve` builds and serves the book, `make test` checks everything.
+# For GNU make 3.81 or later and a POSIX shell; needs Python 3.11 or later and git.
+
+PORT ?= 8000
+PYTHONS := python3.13 python3.12 python3.11 python3.14 python3
+UV := uv==0.13.9
+
+BIN := .venv/bin
+INSTALLED := .venv/.installed
+HTML := _build/html
+
+NOTEBOOKS := $(wildcard book/*.ipynb)
+PAGES := $(shell find book \( -path book/widgets -o -path book/extensions \) -prune -o -type f -not -path "*/.*" -print)
+FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py) $(shell find book/widgets/dist -type f 2>/dev/null)
+LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc')
+
+.PHONY: help serve book test lint notebooks widgets lock clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
+
+serve: book ## build the book and serve it on http://127.0.0.1:8000 (PORT=8001 for another port)
+	@$(BIN)/python tests/serve.py $(HTML) $(PORT)
+
+book: $(HTML)/.built ## build the book into _build/html, warnings being errors; only what changed
+
+test: book ## check everything: numbers, notebooks, contracts, and each built page in Chromium
+	@$(BIN)/python tests/chromium.py
+	$(BIN)/python -m pytest
+
+lint: $(INSTALLED) ## check style, types and import contracts
+	$(BIN)/ruff check src tests book/extensions
+	$(BIN)/ruff format --check src tests book/extensions
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+notebooks: $(INSTALLED) ## run all notebooks in place and leave nothing in them that changes by itself
+	$(BIN)/jupyter execute --inplace $(NOTEBOOKS)
+	$(BIN)/nbstripout --keep-output --keep-count --keep-id \
+	  --extra-keys "metadata.widgets metadata.language_info cell.metadata.execution" $(NOTEBOOKS)
+	sed -i.bak -E 's/("model_id": ")[0-9a-f]{32}"/\100000000000000000000000000000000"/' $(NOTEBOOKS)
+	rm -f book/*.ipynb.bak
+
+widgets: ## build the script of the live views anew; needs Node 20 or later, as nothing else here does
+	cd book/widgets && npm ci && npm run build
+
+lock: $(INSTALLED) ## write requirements.txt anew, from the ranges in pyproject.toml
+	$(BIN)/python -m pip install --quiet $(UV)
+	$(BIN)/uv pip compile --no-config --quiet --universal --upgrade --all-extras \
+	  --custom-compile-command "make lock" --output-file requirements.txt pyproject.toml
+
+clean: ## remove .venv, _build and all caches
+	rm -rf .venv _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
+
+# The library or the installed packages changed: every page runs again.
+_build/.library: $(LIBRARY) $(INSTALLED)
+	rm -rf _build
+	@mkdir -p _build && touch $@
+
+# What all pages share changed: they are written again from the cached results.
+_build/.frame: $(FRAME) _build/.library
+	rm -rf $(HTML) _build/.doctrees
+	@touch $@
+
+# Only pages changed: those run again. A build with warnings leaves nothing behind that the next could take for good.
+$(HTML)/.built: $(PAGES) _build/.frame
+	$(BIN)/jupyter-book build . -W -n --keep-going || { rm -rf $(HTML) _build/.doctrees; exit 1; }
+	@touch $@
+
+$(INSTALLED): requirements.txt pyproject.toml | $(BIN)/python
+	@echo "Installing the packages pinned in requirements.txt into .venv"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+# Debian keeps a part of Python's venv in a package of its own.
+$(BIN)/python:
+	@set -e; found=; \
+	for python in $(PYTHONS); do \
+	  if $$python -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then found=$$python; break; fi; \
+	done; \
+	test -n "$$found" || { echo "Python 3.11 or later is needed: install it and run make again." >&2; exit 1; }; \
+	if ! $$found -c 'import ensurepip' 2>/dev/null; then \
+	  sudo=; test "$$(id -u)" = 0 || sudo="sudo -n"; \
+	  { command -v apt-get >/dev/null && $$sudo true 2>/dev/null \
+	    && $$sudo apt-get -qq update && $$sudo apt-get -qq install -y --no-install-recommends $$found-venv; } >/dev/null \
+	  || { echo "Python's venv is incomplete: install the package $$found-venv and run make again." >&2; exit 1; }; \
+	fi; \
+	$$found -m venv .venv

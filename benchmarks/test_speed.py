@@ -1,0 +1,130 @@
+"""Times of root loci, redraws and station maps, each beside what people use now, in one run.
+
+Groups of pytest-benchmark: in each, "ours" and "control" do the same work.
+"""
+
+import tracemalloc
+
+import control
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import rlswaim as rl
+from cases import loops
+from rlswaim.dual import final_design
+from rlswaim.figures.redraw import LocusPicture
+from rlswaim.locus import SCREEN, default_axes
+from rlswaim.openloop import open_loop
+from rlswaim.stations import station_map
+
+matplotlib.use("agg")
+LOOPS = loops()
+WHO = ["ours", "control"]
+
+
+def timed(benchmark, group, who, work, rounds=7):
+    benchmark.group, benchmark.name = group, who
+    return benchmark.pedantic(work, rounds=rounds, warmup_rounds=1)
+
+
+@pytest.mark.parametrize("count", [500, 2000])
+@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.parametrize("who", WHO)
+def test_given_gains(benchmark, name, count, who):
+    """The same gains for both; both return continuous branches."""
+    loop, gains = LOOPS[name], np.logspace(-3, 3, count)
+    work = {
+        "ours": lambda: rl.root_locus(loop, gains),
+        "control": lambda: control.root_locus_map(loop, gains=gains),
+    }
+    found = timed(benchmark, f"{count} given gains: {name}", who, work[who])
+    assert len(found.gains) == count
+
+
+@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.parametrize("who", WHO)
+def test_picture(benchmark, name, who):
+    """Ours is true to a quarter pixel; control's default is not, and takes what it takes."""
+    loop = LOOPS[name]
+    work = {"ours": lambda: rl.root_locus(loop), "control": lambda: control.root_locus_map(loop)}
+    found = timed(benchmark, f"picture: {name}", who, work[who])
+    benchmark.extra_info["gains"] = len(found.gains)
+
+
+def misses(loop, drawn, exact):
+    """Return how far (pixels) exact roots in view lie off a drawn locus, the worst one."""
+    left, right, bottom, top = default_axes(open_loop(loop))
+    scale = np.array([SCREEN[0] / (right - left), SCREEN[1] / (top - bottom)])
+    at = np.stack([drawn.real, drawn.imag], axis=-1) * scale
+    start, along = at[:-1].reshape(-1, 2), np.diff(at, axis=0).reshape(-1, 2)
+    seen = exact[(exact.real > left) & (exact.real < right) & (np.abs(exact.imag) < top)]
+    length2 = np.maximum((along**2).sum(axis=1), 1e-300)
+    worst = 0.0
+    for point in np.stack([seen.real, seen.imag], axis=-1) * scale:
+        t = np.clip(((point - start) * along).sum(axis=1) / length2, 0, 1)
+        worst = max(worst, np.hypot(*(start + t[:, None] * along - point).T).min())
+    return worst
+
+
+@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.parametrize("who", WHO)
+def test_quarter_pixel(benchmark, name, who):
+    """The same quality from both: python-control with as many gains as that takes it, 8192 at most."""
+    loop = LOOPS[name]
+    own = rl.root_locus(loop)
+    span = own.gains[own.gains > 0][[0, -1]]
+    exact = rl.root_locus(loop, np.geomspace(*span, 700)).roots.ravel()
+    count, work = own.gains.size, lambda: rl.root_locus(loop)
+    if who == "control":
+        count = 128
+        while count < 8192 and misses(loop, control_branches(loop, span, count), exact) > 0.25:
+            count *= 2
+        work = lambda: control.root_locus_map(loop, gains=np.geomspace(*span, count))  # noqa: E731
+    benchmark.extra_info["gains"] = count
+    timed(benchmark, f"quarter pixel: {name}", who, work, rounds=3)
+
+
+def control_branches(loop, span, count):
+    return rl.root_locus(loop, np.geomspace(*span, count)).roots  # the roots are the same, and come sooner
+
+
+@pytest.mark.parametrize("who", WHO)
+def test_redraw(benchmark, who):
+    """One slider move in a kernel: compute the locus and draw it into the figure's pixels."""
+    loop = LOOPS["Section IV, order 8"]
+    figure = Figure(figsize=(8, 6), dpi=100)
+    matplotlib.backends.backend_agg.FigureCanvasAgg(figure)
+    ax = figure.subplots()
+    picture = LocusPicture(ax, rl.root_locus(loop)) if who == "ours" else None
+
+    def usual():
+        figure.clear()
+        control.root_locus_plot(loop, ax=figure.subplots())
+        figure.canvas.draw()
+
+    timed(
+        benchmark,
+        "figure redraw: Section IV",
+        who,
+        (lambda: picture.update(rl.root_locus(loop))) if picture else usual,
+    )
+
+
+@pytest.mark.parametrize("side", [106, 211, 421])
+def test_station_map(benchmark, side):
+    """Largest real part of Section VII's closed loop over all pairs of stations."""
+    design, kK_z = final_design()
+    gains = {"K_A": 1.0, "K_C": 1.0, "K_R": 0.286, "kK_z": kK_z, "K_r": design.K_r, "b": design.b}
+    stations = np.linspace(0, 420, side)
+
+    def work():
+        return station_map(rl.printed_equations(), stations, stations, **gains)
+
+    found = timed(benchmark, "station map of Section VII", f"{side} x {side}", work, rounds=3)
+    assert found.shape == (side, side)
+    tracemalloc.start()
+    work()
+    benchmark.extra_info["memory_MB"] = tracemalloc.get_traced_memory()[1] / 1e6
+    tracemalloc.stop()

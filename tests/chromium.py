@@ -1,0 +1,88 @@
+"""Find a Chromium, or install one: `python tests/chromium.py` prints its path."""
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+MAC = "/Applications/{0}.app/Contents/MacOS/{0}"
+WANTED = "No Chromium: install the package chromium, or set CHROMIUM to a browser's path, and run make again."
+
+
+class NoChromiumError(Exception):
+    """There is no Chromium, and none could be installed."""
+
+
+def named() -> str | None:
+    """Return the browser that CHROMIUM names; an error if there is none at that path."""
+    path = os.environ.get("CHROMIUM")
+    if path and not shutil.which(path):
+        raise NoChromiumError(f"CHROMIUM: got {path}, wanted the path of a browser that can be run")
+    return path and shutil.which(path)
+
+
+def installed() -> str | None:
+    """Return a Chromium on PATH or in a Mac's applications."""
+    places = (*NAMES, MAC.format("Chromium"), MAC.format("Google Chrome"))
+    return next(filter(None, map(shutil.which, places)), None)
+
+
+def playwrights_own() -> str | None:
+    """Return Playwright's own Chromium if it is there."""
+    with sync_playwright() as playwright:
+        path = playwright.chromium.executable_path
+    return path if Path(path).is_file() else None
+
+
+def _succeeds(*command: str) -> bool:
+    return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=sys.stderr, check=False).returncode == 0
+
+
+def from_debian() -> str | None:
+    """Install Debian's chromium where this user may, and return its path."""
+    if not shutil.which("apt-get"):
+        return None
+    rights = [] if os.geteuid() == 0 else ["sudo", "-n"]
+    if rights and not (shutil.which("sudo") and _succeeds(*rights, "true")):
+        return None
+    apt = [*rights, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-qq"]
+    _succeeds(*apt, "update")
+    _succeeds(*apt, "install", "-y", "--no-install-recommends", "chromium")
+    return installed()
+
+
+def from_playwright() -> str | None:
+    """Let Playwright download its own Chromium, and return its path."""
+    _succeeds(sys.executable, "-m", "playwright", "install", "chromium")
+    return playwrights_own()
+
+
+def _ways() -> Iterator[str | None]:
+    for way in (named, installed, playwrights_own, from_debian, from_playwright):
+        yield way()
+
+
+def find_chromium() -> str:
+    """Return the path of a Chromium, installing one if need be.
+
+    Raises
+    ------
+    NoChromiumError
+        If there is none and none could be installed; the message says what to do.
+    """
+    path = next(filter(None, _ways()), None)
+    if not path:
+        raise NoChromiumError(WANTED)
+    return path
+
+
+if __name__ == "__main__":
+    try:
+        print(f"Chromium: {find_chromium()}")
+    except NoChromiumError as error:
+        sys.exit(str(error))

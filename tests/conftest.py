@@ -1,0 +1,95 @@
+"""What the tests share: hypothesis profiles, the built book on a local server, a browser without network."""
+
+import os
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from hypothesis import HealthCheck, settings
+from playwright.sync_api import Browser, Page, Route, sync_playwright
+
+from chromium import NoChromiumError, find_chromium
+from serve import server
+
+ROOT = Path(__file__).parent.parent
+HTML = ROOT / "_build" / "html"
+FLAGS = [
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+]
+
+settings.register_profile(
+    "ci", derandomize=True, deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile("search", parent=settings.get_profile("ci"), derandomize=False, max_examples=2000)
+settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
+
+
+class Visit(NamedTuple):
+    """A page, and all that went wrong or outside while it was open."""
+
+    page: Page
+    outside: list[str]
+    errors: list[str]
+
+
+@pytest.fixture(scope="session")
+def site() -> Iterator[str]:
+    """Serve the built book; the address of its root, without the last slash."""
+    if not (HTML / ".built").is_file():
+        pytest.fail("the book is not built: run `make book` first", pytrace=False)
+    with server(HTML) as running:
+        threading.Thread(target=running.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{running.server_port}"
+        running.shutdown()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """A Chromium that resolves no name."""
+    try:
+        path = find_chromium()
+    except NoChromiumError as error:
+        pytest.fail(str(error), pytrace=False)
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture(scope="module")
+def visit(browser: Browser, site: str) -> Callable[[str], Iterator[Visit]]:
+    """Open a page of the book by its path, in a fresh context that lets nothing out."""
+
+    @contextmanager
+    def opened(path: str) -> Iterator[Visit]:
+        context = browser.new_context(viewport={"width": 1280, "height": 900})
+        page = context.new_page()
+        found = Visit(page, [], [])
+
+        def guard(route: Route) -> None:
+            address = route.request.url
+            if address.startswith((f"{site}/", "data:", "blob:")):
+                route.continue_()
+            else:
+                found.outside.append(address)
+                route.abort()
+
+        context.route("**/*", guard)
+        page.on("pageerror", lambda error: found.errors.append(f"page error: {error}"))
+        page.on("console", lambda line: line.type == "error" and found.errors.append(f"console: {line.text}"))
+        page.on("response", lambda r: r.status >= 400 and found.errors.append(f"{r.status} {r.url}"))
+        page.goto(f"{site}/{path}", wait_until="load")
+        page.wait_for_function("() => !window.MathJax || window.MathJax.startup?.promise")
+        page.evaluate("() => window.MathJax?.startup.promise")
+        yield found
+        context.close()
+
+    return opened

@@ -1,0 +1,100 @@
+"""What holds for the chapters as files; nbval itself runs every cell again and compares what comes out."""
+
+import ast
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+import yaml
+
+ROOT = Path(__file__).parent.parent
+NOTEBOOKS = sorted((ROOT / "book").glob("*.ipynb"))
+FIRST = "import rlswaim as rl\nfrom myst_nb import glue\nfrom rlswaim import figures\n"
+FORBIDDEN = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.While, ast.Try, ast.With)
+CHANGES_BY_ITSELF = re.compile(r"0x[0-9a-f]{6,}|\d\d:\d\d:\d\d|/(?:home|root|tmp|Users|work)/")
+
+
+@pytest.fixture(scope="module", params=NOTEBOOKS, ids=[path.stem for path in NOTEBOOKS])
+def notebook(request):
+    return nbformat.read(request.param, as_version=4)
+
+
+def code_cells(notebook):
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def figures(notebook):
+    drawn = [any("image/svg+xml" in o.get("data", {}) for o in cell.outputs) for cell in code_cells(notebook)]
+    return [cell for cell, has_figure in zip(code_cells(notebook), drawn, strict=True) if has_figure]
+
+
+def test_there_is_a_notebook_for_each_section():
+    chapters = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+    named = [c["file"] for part in chapters["parts"] for c in part["chapters"]]
+    numbered = [name for name in named if re.match(r"book/0\d-", name)]
+    assert len(numbered) == 9
+    for name in [chapters["root"], *named]:
+        assert (ROOT / f"{name}.ipynb").is_file() or (ROOT / f"{name}.md").is_file()
+
+
+def test_outputs_are_in_place(notebook):
+    """Nbval compares nothing in a notebook that has never run."""
+    cells = code_cells(notebook)
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not cells or any(cell.outputs for cell in cells)
+
+
+def test_no_output_is_an_error_or_a_warning(notebook):
+    outputs = [output for cell in code_cells(notebook) for output in cell.outputs]
+    assert [o for o in outputs if o.output_type == "error" or o.get("name") == "stderr"] == []
+
+
+def test_a_cell_calls_shows_and_stops(notebook):
+    """No function, class or unbounded loop of its own, and no long cell (imports aside)."""
+    for cell in code_cells(notebook):
+        lines = [line for line in cell.source.splitlines() if not line.startswith(("import ", "from "))]
+        assert len([line for line in lines if line.strip()]) <= 15, cell.id
+        nodes = ast.walk(ast.parse(cell.source))
+        assert [type(node).__name__ for node in nodes if isinstance(node, FORBIDDEN)] == [], cell.id
+
+
+def test_the_first_code_cell_is_the_same_everywhere(notebook):
+    for cell in code_cells(notebook)[:1]:
+        assert cell.source.startswith(FIRST)
+        assert "figures.use_book_style()" in cell.source.splitlines()
+
+
+def test_outputs_hold_nothing_that_changes_by_itself(notebook):
+    for cell in code_cells(notebook):
+        for output in cell.outputs:
+            texts = [output.get("text", ""), *map(str, output.get("data", {}).values())]
+            assert [hits for text in texts if (hits := CHANGES_BY_ITSELF.findall(text))] == [], cell.id
+
+
+def test_metadata_hold_nothing_that_changes_by_itself(notebook):
+    assert set(notebook.metadata) <= {"kernelspec", "language_info"}
+    assert notebook.metadata.kernelspec.name == "python3"
+    assert set(notebook.metadata.get("language_info", {})) <= {"name"}
+    assert [cell.id for cell in notebook.cells if "execution" in cell.metadata] == []
+
+
+def test_cells_keep_their_names(notebook):
+    ids = [cell.id for cell in notebook.cells]
+    assert len(set(ids)) == len(ids)
+
+
+def test_each_figure_has_a_caption_and_alt_text(notebook):
+    for cell in figures(notebook):
+        shown = cell.metadata.get("mystnb", {})
+        assert shown.get("figure", {}).get("caption", "").strip(), cell.id
+        assert len(shown.get("image", {}).get("alt", "").strip()) > 15, cell.id
+
+
+def test_names_of_glued_numbers_are_unique_in_the_book():
+    named = {}
+    for path in NOTEBOOKS:
+        for cell in code_cells(nbformat.read(path, as_version=4)):
+            for name in re.findall(r"\bglue\(\s*[\"']([^\"']+)", cell.source):
+                named.setdefault(name, []).append(path.stem)
+    assert {name: places for name, places in named.items() if len(places) > 1} == {}

@@ -1,0 +1,197 @@
+"""Every built page in a real browser with the network cut: nothing from outside, no error, math typeset."""
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urldefrag, urljoin, urlsplit
+
+import pytest
+import yaml
+
+import rlswaim as rl
+from systems import mismatch
+
+ROOT = Path(__file__).parent.parent
+HTML = ROOT / "_build" / "html"
+TOC = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+CHAPTERS = [TOC["root"], *(c["file"] for part in TOC["parts"] for c in part["chapters"])]
+PAGES = [f"{name}.html" for name in (*CHAPTERS, "search", "genindex")]
+
+FAULTS = """() => ({
+  plainMath: [...document.querySelectorAll('.math')].filter(el => !el.querySelector('mjx-container')).length,
+  badMath: [...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(el => el.textContent),
+  noAlt: [...document.images].filter(el => !el.alt.trim()).map(el => el.src),
+  broken: [...document.images].filter(el => el.complete && !el.naturalWidth).map(el => el.src),
+  noAxes: [...document.querySelectorAll('.live-view-failure')].map(el => el.textContent),
+})"""
+
+
+class Links(HTMLParser):
+    """Collects a page's links, the ids they can point to, and what it loads."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.links: list[str] = []
+        self.loaded: list[str] = []
+        self.ids: set[str] = set()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = {key: value or "" for key, value in attrs}
+        self.ids |= {given[key] for key in ("id", "name") if given.get(key)}
+        if tag == "a" and "href" in given:
+            self.links.append(given["href"])
+        elif "src" in given:
+            self.loaded.append(given["src"])
+        elif tag == "link" and given.get("rel") in {"stylesheet", "preload", "modulepreload", "icon"}:
+            self.loaded.append(given["href"])
+
+
+def parsed(page: str) -> Links:
+    links = Links()
+    links.feed((HTML / page).read_text(encoding="utf-8"))
+    return links
+
+
+@pytest.fixture(scope="module")
+def links() -> dict[str, Links]:
+    return {path.relative_to(HTML).as_posix(): parsed(str(path)) for path in sorted(HTML.rglob("*.html"))}
+
+
+@pytest.mark.parametrize("path", PAGES)
+def test_page_is_whole_without_a_network(visit, path):
+    with visit(path) as (page, outside, errors):
+        page.wait_for_load_state("networkidle")
+        assert outside == []
+        assert errors == []
+        assert {what: found for what, found in page.evaluate(FAULTS).items() if found} == {}
+        assert page.title().strip(" #—-")
+        if path.removesuffix(".html") in CHAPTERS:
+            assert page.locator("article h1").count() == 1
+
+
+def test_every_page_of_the_contents_is_built(links):
+    assert set(PAGES) <= set(links)
+
+
+def test_no_page_loads_from_another_server(links):
+    loaded = [(page, address) for page, found in links.items() for address in found.loaded]
+    assert [pair for pair in loaded if urlsplit(pair[1]).netloc] == []
+
+
+def test_no_page_names_a_content_network(links):
+    named = re.compile(r"(?:src|href)=[\"'][^\"']*(?:cdn|unpkg|googleapis|gstatic)", re.IGNORECASE)
+    assert [page for page in links if named.search((HTML / page).read_text(encoding="utf-8"))] == []
+
+
+def test_internal_links_lead_somewhere(links):
+    lost = []
+    for page, found in links.items():
+        for link in found.links:
+            address, anchor = urldefrag(urljoin(page, link))
+            target = unquote(address) or page
+            if urlsplit(link).scheme or urlsplit(link).netloc or (link.startswith("#") and not anchor):
+                continue
+            if not (HTML / target).is_file() or (
+                anchor and target in links and unquote(anchor) not in links[target].ids
+            ):
+                lost.append(f"{page}: {link}")
+    assert lost == []
+
+
+# ---- chapter IV, live: what the page shows is what the library computes
+
+CHAPTER_IV = "book/04-rate-and-attitude-feedback.html"
+SLIDERS = {"K A": "K_A", "K C": "K_C", "K R": "K_R", "station of the gyro (ft)": "gyro"}
+TABLE = (
+    """table => [...table.tBodies[0].rows].map(row => [...row.cells].map(cell => cell.textContent.trim()))"""
+)
+
+
+@pytest.fixture(scope="module")
+def explorer(visit):
+    """The explorer on its page, alone with its sliders; each test starts from the chapter's design."""
+    with visit(CHAPTER_IV) as (page, outside, errors):
+        root = page.locator('[data-explorer="rate-attitude"]')
+        root.wait_for()
+        yield page, root, root.locator("xpath=ancestor::*[contains(@class, 'live-view')]")
+        assert (outside, errors) == ([], [])
+
+
+def redrawn(page, act):
+    """Do something to the explorer and wait for the end of the redraw that follows."""
+    page.evaluate("""() => { window.drawn = new Promise(resolve =>
+      document.addEventListener('rlswaim:drawn', event => resolve(event.detail.ms), { once: true })) }""")
+    act()
+    return page.evaluate("() => Promise.race([window.drawn, new Promise(late => setTimeout(late, 5000))])")
+
+
+def sliders(panel):
+    """Return the sliders' handles by parameter."""
+    handles = panel.locator(".noUi-handle")
+    labels = [handles.nth(k).get_attribute("aria-label") for k in range(handles.count())]
+    return {SLIDERS[label.partition(",")[0]]: handles.nth(k) for k, label in enumerate(labels)}
+
+
+def values(panel):
+    """Return the parameters as the page shows them, as arguments of the library."""
+    shown = {name: float(handle.get_attribute("aria-valuetext")) for name, handle in sliders(panel).items()}
+    if panel.get_by_role("button", name="rigid body").get_attribute("class").count("mod-active"):
+        shown["gyro"] = None
+    return shown
+
+
+def shown_poles(root):
+    """Return the poles of the table from their text, its other columns checked against them."""
+    found = []
+    for _, real, imaginary, omega, zeta, stability in root.locator("table.poles").evaluate(TABLE):
+        pole = complex(float(real), float(imaginary))
+        found.append(pole)
+        assert float(omega) == pytest.approx(abs(pole), rel=1e-6)
+        assert not pole or float(zeta) == pytest.approx(-pole.real / abs(pole), rel=1e-6, abs=1e-6)
+        assert stability.startswith("unstable") == (pole.real > 0)
+    return found
+
+
+def relative_mismatch(found, wanted):
+    """Return the largest relative distance of paired poles; poles below 1e-9 1/s count as that large."""
+    pairs = [min(wanted, key=lambda w: abs(w - s)) for s in found]
+    assert mismatch(found, wanted) < 1e-6
+    return max(abs(s - w) / max(abs(w), 1e-9) for s, w in zip(found, pairs, strict=True))
+
+
+@pytest.mark.parametrize("feedback", ["total", "rigid body"])
+@pytest.mark.parametrize("end", ["Home", "End"])
+@pytest.mark.parametrize("name", SLIDERS.values())
+def test_pole_table_follows_each_slider_to_its_end(explorer, name, end, feedback):
+    page, root, panel = explorer
+    root.get_by_role("button", name="Reset").click()
+    if feedback == "rigid body":
+        redrawn(page, panel.get_by_role("button", name="rigid body").click)
+    before = shown_poles(root)
+    handle = sliders(panel)[name]
+    handle.focus()
+    redrawn(page, lambda: handle.press(end))
+    limit = handle.get_attribute("aria-valuemin" if end == "Home" else "aria-valuemax")
+    assert handle.get_attribute("aria-valuenow") == limit
+    eqs = rl.printed_equations()
+    wanted = rl.rate_attitude(eqs, **values(panel)).poles()
+    assert relative_mismatch(shown_poles(root), wanted) < 1e-6
+    if not (name == "gyro" and feedback == "rigid body"):
+        assert shown_poles(root) != before
+
+
+def test_each_design_of_the_report_is_shown(explorer):
+    page, root, panel = explorer
+    eqs = rl.printed_equations()
+    for design in root.locator(".buttons").first.get_by_role("button").all()[:-1]:
+        redrawn(page, design.click)
+        assert relative_mismatch(shown_poles(root), rl.rate_attitude(eqs, **values(panel)).poles()) < 1e-6
+
+
+def test_a_redraw_says_how_long_it_took(explorer):
+    page, _, panel = explorer
+    handle = sliders(panel)["K_A"]
+    handle.focus()
+    times = [redrawn(page, lambda: handle.press("ArrowLeft")) for _ in range(20)]
+    assert all(isinstance(ms, (int, float)) for ms in times)
+    assert sorted(times)[10] < 200
