@@ -14,10 +14,10 @@ PAGES := $(shell find book \( -path book/widgets -o -path book/extensions \) -pr
 FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc')
 
-.PHONY: help serve book test lint notebooks widgets lock clean
+.PHONY: help serve book test fuzz bench test-oldest test-newest lint notebooks widgets lock clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-10s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 serve: book ## build the book and serve it on http://127.0.0.1:8000 (PORT=8001 for another port)
 	@$(BIN)/python tests/serve.py $(HTML) $(PORT)
@@ -28,9 +28,35 @@ test: book ## check everything: numbers, notebooks, contracts, and each built pa
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/python -m pytest
 
+fuzz: $(INSTALLED) ## throw 2,000 random cases at each kind of loop, vehicle and bad input
+	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py
+
+bench: $(INSTALLED) ## time root loci beside other tools, and write the page of the book that shows it
+	@mkdir -p _build
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest benchmarks -o addopts= -p no:cacheprovider \
+	  -q --benchmark-quiet --benchmark-json=_build/benchmarks.json
+	$(BIN)/python benchmarks/table.py _build/benchmarks.json book/11-speed.md
+
+test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest
+	$(call elsewhere,.oldest,--resolution lowest-direct)
+
+test-newest: ## check everything with the newest versions there are, in .newest
+	$(call elsewhere,.newest,--upgrade --refresh)
+
+# The whole project again in a folder of its own, with a lock of its own.
+define elsewhere
+	rm -rf $(1) && mkdir $(1)
+	git ls-files -z --cached --others --exclude-standard | xargs -0 tar -cf - | tar -xf - -C $(1)
+	git -C $(1) init -q && git -C $(1) add -A
+	$(MAKE) $(INSTALLED)
+	$(BIN)/python -m pip install --quiet $(UV)
+	cd $(1) && ../$(BIN)/uv pip compile --no-config --quiet --all-extras $(2) -o requirements.txt pyproject.toml
+	$(MAKE) -C $(1) test
+endef
+
 lint: $(INSTALLED) ## check style, types and import contracts
-	$(BIN)/ruff check src tests book/extensions
-	$(BIN)/ruff format --check src tests book/extensions
+	$(BIN)/ruff check src tests benchmarks book/extensions
+	$(BIN)/ruff format --check src tests benchmarks book/extensions
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
@@ -50,7 +76,7 @@ lock: $(INSTALLED) ## write requirements.txt anew, from the ranges in pyproject.
 	  --custom-compile-command "make lock" --output-file requirements.txt pyproject.toml
 
 clean: ## remove .venv, _build and all caches
-	rm -rf .venv _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
+	rm -rf .venv .oldest .newest _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
 
 # The library or the installed packages changed: every page runs again.
 _build/.library: $(LIBRARY) $(INSTALLED)
@@ -76,9 +102,10 @@ $(INSTALLED): requirements.txt pyproject.toml | $(BIN)/python
 # Debian keeps a part of Python's venv in a package of its own.
 $(BIN)/python:
 	@set -e; found=; \
-	for python in $(PYTHONS); do \
-	  if $$python -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then found=$$python; break; fi; \
-	done; \
+	for modules in sys,ensurepip sys; do for python in $(PYTHONS); do \
+	  if test -z "$$found" && $$python -c "import $$modules; sys.exit(sys.version_info < (3, 11))" 2>/dev/null; \
+	  then found=$$python; fi; \
+	done; done; \
 	test -n "$$found" || { echo "Python 3.11 or later is needed: install it and run make again." >&2; exit 1; }; \
 	if ! $$found -c 'import ensurepip' 2>/dev/null; then \
 	  sudo=; test "$$(id -u)" = 0 || sudo="sudo -n"; \

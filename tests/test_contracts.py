@@ -60,11 +60,11 @@ def run(*command):
 
 
 def test_ruff_finds_nothing():
-    run("ruff", "check", "src", "tests", "book/extensions")
+    run("ruff", "check", "src", "tests", "benchmarks", "book/extensions")
 
 
 def test_code_is_formatted():
-    run("ruff", "format", "--check", "src", "tests", "book/extensions")
+    run("ruff", "format", "--check", "src", "tests", "benchmarks", "book/extensions")
 
 
 def test_types():

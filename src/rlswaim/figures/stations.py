@@ -3,7 +3,9 @@
 from collections.abc import Sequence
 
 import numpy as np
+import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.colors import CenteredNorm
 
 from rlswaim.dual import Stiffening, direct_response
 from rlswaim.figures.style import COLORS
@@ -92,4 +94,26 @@ def draw_pole_map(ax: Axes, locus: RootLocus, label: str = "station (ft)") -> Ax
     ax.axvline(0.0, color=COLORS["neutral"], lw=0.8)
     ax.set(xlabel="Re s (1/s)", ylabel="Im s (rad/s)")
     ax.figure.colorbar(shown, ax=ax, label=label)
+    return ax
+
+
+def draw_station_map(ax: Axes, abscissa: xr.DataArray) -> Axes:
+    """Draw the largest real part of the closed loop's poles over sensor and jet stations, 0 as a line.
+
+    Parameters
+    ----------
+    ax : Axes
+    abscissa : DataArray
+        From `station_map`: dimensions sensor and jet (ft), values in 1/s.
+
+    Returns
+    -------
+    Axes
+    """
+    at = abscissa.sensor.values, abscissa.jet.values, abscissa.values.T
+    levels = np.array([-0.2, 0.0, 0.4, 0.8, 1.2, 1.6, 2.0])
+    shown = ax.contourf(*at, levels=levels, cmap="PuOr_r", norm=CenteredNorm(0.0, 2.0), extend="both")
+    ax.contour(*at, levels=[0.0], colors="k", linewidths=1.2)
+    ax.figure.colorbar(shown, ax=ax, label="largest real part (1/s)")
+    ax.set(xlabel="station of the sensor (ft)", ylabel="station of the jet (ft)")
     return ax
