@@ -3,9 +3,11 @@
 import control
 import numpy as np
 import pytest
+from scipy.linalg import block_diag
 
 import rlswaim as rl
 from exact import closed_loop, exact_roots, relative_errors
+from rlswaim.branches import continuous_branches
 from rlswaim.locus import SCREEN, default_axes
 from rlswaim.openloop import open_loop
 
@@ -203,3 +205,25 @@ def test_branches_have_the_names_of_the_modes_they_leave():
     ]
     backward = rl.root_locus(report_loop("IV"), locus.gains[::-1])
     assert sorted(backward.labels) == sorted(locus.labels)
+
+
+def crossing_modes(p):
+    """Two modes that do not know of each other; one overtakes the other as p runs from 0 to 1."""
+    pairs = (-0.1 - 0.2 * p, 1.9 + 0.35 * p), (-0.3 + 0.2 * p, 2.0)
+    blocks = [np.array([[real, omega], [-omega, real]]) for real, omega in pairs]
+    return control.ss(block_diag(*blocks), np.ones((4, 1)), np.ones((1, 4)), 0)
+
+
+def test_eigenvectors_tell_apart_modes_that_nearly_cross():
+    """One coarse step, in which distance alone would exchange the modes."""
+    locus = rl.parameter_locus(crossing_modes, [0.0, 1.0])
+    ends = dict(zip(locus.roots[0].round(9), locus.roots[1].round(9), strict=True))
+    assert ends[-0.1 + 1.9j] == -0.3 + 2.25j
+    nearest = continuous_branches(locus.roots)
+    assert dict(zip(nearest[0].round(9), nearest[1].round(9), strict=True))[-0.1 + 1.9j] == -0.1 + 2j
+
+
+def test_a_general_parameter_has_conditions_too():
+    locus = rl.parameter_locus(crossing_modes, [0.0, 0.5, 1.0])
+    assert locus.condition.shape == locus.roots.shape
+    assert (locus.condition >= 0.9).all()

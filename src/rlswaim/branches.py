@@ -35,8 +35,8 @@ def successors(values: NDArray, vectors: NDArray | None = None) -> NDArray:
     return nearest
 
 
-def continuous_branches(values: NDArray, vectors: NDArray | None = None) -> NDArray:
-    """Return root sets re-ordered so that each column is a continuous branch.
+def branch_order(values: NDArray, vectors: NDArray | None = None) -> NDArray:
+    """Return for each set the order of its roots in which each column is a continuous branch.
 
     Parameters
     ----------
@@ -46,20 +46,33 @@ def continuous_branches(values: NDArray, vectors: NDArray | None = None) -> NDAr
 
     Returns
     -------
-    ndarray of complex, shape (K, n)
+    ndarray of int, shape (K, n)
     """
     K, n = values.shape
+    current, start = np.arange(n, dtype=np.intp), 0
+    order = np.tile(current, (K, 1))
     if K < 2 or n < 2:
-        return values
+        return order
     step = successors(values, vectors)
-    same = (step == np.arange(n)).all(axis=1)
-    order = np.empty((K, n), dtype=int)
-    current, start = np.arange(n), 0
-    for i in np.flatnonzero(~same).tolist():
+    for i in np.flatnonzero((step != np.arange(n)).any(axis=1)).tolist():
         order[start : i + 1] = current
         current, start = step[i][current], i + 1
     order[start:] = current
-    return np.take_along_axis(values, order, axis=1)
+    return order
+
+
+def continuous_branches(values: NDArray) -> NDArray:
+    """Return root sets re-ordered so that each column is a continuous branch.
+
+    Parameters
+    ----------
+    values : ndarray of complex, shape (K, n)
+
+    Returns
+    -------
+    ndarray of complex, shape (K, n)
+    """
+    return np.take_along_axis(values, branch_order(values), axis=1)
 
 
 def partners(values: NDArray) -> NDArray:

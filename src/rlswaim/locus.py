@@ -11,9 +11,10 @@ from typing import NamedTuple
 import control
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.linalg import eig
 
 from rlswaim import checks
-from rlswaim.branches import continuous_branches, partners
+from rlswaim.branches import branch_order, continuous_branches, partners
 from rlswaim.openloop import BreakAway, Crossing, OpenLoop, System, break_aways, crossings, open_loop
 from rlswaim.polynomials import horner
 
@@ -50,15 +51,18 @@ class RootLocus:
     break_aways: tuple[BreakAway, ...] = ()
     crossings: tuple[Crossing, ...] = ()
     loop: OpenLoop | None = None
+    sensitivity: NDArray | None = None
 
     @cached_property
     def condition(self) -> NDArray:
-        """Relative change of each root per relative change of the polynomial's coefficients, shape (K, n).
+        """Relative change of each root per relative change of the data, shape (K, n).
 
-        Above 1e3 three-digit data do not fix a root, above 1e13 double precision does not.
+        The data are the coefficients of N and D or, for a locus in a general parameter, the entries
+        of the closed loop's state matrix.  Above 1e3 three digits do not fix a root, above 1e13 double
+        precision does not.
         """
         if self.loop is None:
-            raise ValueError("condition: got a locus in a general parameter, wanted one in a loop gain")
+            return np.ones(self.roots.shape) if self.sensitivity is None else self.sensitivity
         return _relative_condition(self.loop, self.gains, self.roots)
 
     @cached_property
@@ -359,14 +363,34 @@ def parameter_locus(
     ------
     ValueError
         If a value is not finite or the order of the closed loop changes on the way.
+    TypeError
+        If the closed loop is no LTI system.
     """
     run = checks.frozen_array("values", np.atleast_1d(np.asarray(values)), "parameter_locus")
-    sets = [np.asarray(closed_loop(float(value)).poles(), dtype=complex) for value in run]
+    sets = [_eigensystem(closed_loop(float(value))) for value in run]
     for at, found in enumerate(sets):
-        if found.size != sets[0].size:
+        if found[0].size != sets[0][0].size:
             raise ValueError(
-                f"parameter_locus: got {found.size} poles at values[{at}] = {run[at]:g}, "
-                f"wanted {sets[0].size} as at {run[0]:g}"
+                f"parameter_locus: got {found[0].size} poles at values[{at}] = {run[at]:g}, "
+                f"wanted {sets[0][0].size} as at {run[0]:g}"
             )
+    poles, vectors, condition = (np.array(part) for part in zip(*sets, strict=True))
+    order = branch_order(poles, vectors)
+    poles, condition = (np.take_along_axis(part, order, axis=1) for part in (poles, condition))
     nothing = np.zeros(0, complex)
-    return RootLocus(run, continuous_branches(np.array(sets)), nothing, nothing)
+    return RootLocus(run, poles, nothing, nothing, sensitivity=condition)
+
+
+def _eigensystem(system: control.StateSpace | control.TransferFunction) -> tuple[NDArray, NDArray, NDArray]:
+    """Return poles (n,), unit eigenvectors in columns (n, n), and the poles' relative conditions (n,)."""
+    if not isinstance(system, (control.StateSpace, control.TransferFunction)):
+        raise TypeError(
+            f"parameter_locus: got {type(system).__name__} from closed_loop, "
+            "wanted a StateSpace or TransferFunction"
+        )
+    A = system.A if isinstance(system, control.StateSpace) else control.ss(system).A
+    poles, left, right = eig(A, left=True)
+    with np.errstate(divide="ignore"):
+        along = np.abs((left.conj() * right).sum(axis=0))
+        condition = np.linalg.norm(A) / (np.abs(poles) * along)
+    return poles, right, condition
