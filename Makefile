@@ -50,6 +50,7 @@ define elsewhere
 	git -C $(1) init -q && git -C $(1) add -A
 	$(MAKE) $(INSTALLED)
 	$(BIN)/python -m pip install --quiet $(UV)
+	rm $(1)/requirements.txt  # its pins would count as wishes
 	cd $(1) && ../$(BIN)/uv pip compile --no-config --quiet --all-extras $(2) -o requirements.txt pyproject.toml
 	$(MAKE) -C $(1) test
 endef
