@@ -97,6 +97,8 @@ def test_redraw(benchmark, who):
     figure = Figure(figsize=(8, 6), dpi=100)
     matplotlib.backends.backend_agg.FigureCanvasAgg(figure)
     ax = figure.subplots()
+    left, right, bottom, top = default_axes(open_loop(loop))
+    ax.set(xlim=(left, right), ylim=(bottom, top))
     picture = LocusPicture(ax, rl.root_locus(loop)) if who == "ours" else None
 
     def usual():

@@ -2,14 +2,19 @@
 
 import io
 
+import control
 import matplotlib as mpl
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 import rlswaim as rl
 from rlswaim import loops
 from rlswaim.figures import diagrams, loci, use_book_style
+from rlswaim.figures.redraw import LocusPicture
+from rlswaim.loops import theta_loop
 
 EQS = rl.printed_equations()
 DIAGRAMS = (6, 7, 12, 13, 14, 17, 18, 21, 22, 23)
@@ -112,3 +117,24 @@ def test_the_book_style_makes_repeatable_vector_figures():
     with mpl.rc_context():
         use_book_style()
         assert mpl.rcParams["svg.hashsalt"]
+
+
+def test_a_redrawn_locus_has_the_pixels_of_a_new_one():
+    """`LocusPicture` leaves nothing of the last locus, and draws the next one where it belongs."""
+    eqs = rl.printed_equations()
+    first, second = (rl.root_locus(theta_loop(eqs, 10, K_R, 60)) for K_R in (0.618, 0.3))
+
+    def picture(locus):
+        canvas = FigureCanvasAgg(Figure(figsize=(4, 3)))
+        return LocusPicture(canvas.figure.add_subplot(xlim=(-12, 4), ylim=(-13, 13)), locus)
+
+    def pixels(drawn):
+        return np.asarray(drawn.canvas.buffer_rgba()).copy()
+
+    redrawn = picture(first)
+    before = pixels(redrawn)
+    redrawn.update(second)
+    assert not np.array_equal(pixels(redrawn), before)
+    assert np.array_equal(pixels(redrawn), pixels(picture(second)))
+    with pytest.raises(ValueError, match="LocusPicture: got 1 branches, wanted 8"):
+        redrawn.update(rl.root_locus(control.tf([1], [1, 1])))
