@@ -13,9 +13,10 @@ from matplotlib.figure import Figure
 
 import rlswaim as rl
 from cases import loops
+from exact import off_the_polyline
 from rlswaim.dual import final_design
 from rlswaim.figures.redraw import LocusPicture
-from rlswaim.locus import SCREEN, default_axes
+from rlswaim.locus import default_axes
 from rlswaim.openloop import open_loop
 from rlswaim.stations import station_map
 
@@ -53,21 +54,6 @@ def test_picture(benchmark, name, who):
     benchmark.extra_info["gains"] = len(found.gains)
 
 
-def misses(loop, drawn, exact):
-    """Return how far (pixels) exact roots in view lie off a drawn locus, the worst one."""
-    left, right, bottom, top = default_axes(open_loop(loop))
-    scale = np.array([SCREEN[0] / (right - left), SCREEN[1] / (top - bottom)])
-    at = np.stack([drawn.real, drawn.imag], axis=-1) * scale
-    start, along = at[:-1].reshape(-1, 2), np.diff(at, axis=0).reshape(-1, 2)
-    seen = exact[(exact.real > left) & (exact.real < right) & (np.abs(exact.imag) < top)]
-    length2 = np.maximum((along**2).sum(axis=1), 1e-300)
-    worst = 0.0
-    for point in np.stack([seen.real, seen.imag], axis=-1) * scale:
-        t = np.clip(((point - start) * along).sum(axis=1) / length2, 0, 1)
-        worst = max(worst, np.hypot(*(start + t[:, None] * along - point).T).min())
-    return worst
-
-
 @pytest.mark.parametrize("name", LOOPS)
 @pytest.mark.parametrize("who", WHO)
 def test_quarter_pixel(benchmark, name, who):
@@ -76,10 +62,11 @@ def test_quarter_pixel(benchmark, name, who):
     own = rl.root_locus(loop)
     span = own.gains[own.gains > 0][[0, -1]]
     exact = rl.root_locus(loop, np.geomspace(*span, 700)).roots.ravel()
+    view = default_axes(open_loop(loop))
     count, work = own.gains.size, lambda: rl.root_locus(loop)
     if who == "control":
         count = 128
-        while count < 8192 and misses(loop, control_branches(loop, span, count), exact) > 0.25:
+        while count < 8192 and off_the_polyline(exact, control_branches(loop, span, count), view) > 0.25:
             count *= 2
         work = lambda: control.root_locus_map(loop, gains=np.geomspace(*span, count))  # noqa: E731
     benchmark.extra_info["gains"] = count

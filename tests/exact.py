@@ -1,8 +1,10 @@
-"""Roots to 50 digits, and root sets compared by pairing."""
+"""Roots to 50 digits, root sets compared by pairing, and drawn branches beside exact ones."""
 
 import mpmath
 import numpy as np
 from scipy.optimize import linear_sum_assignment
+
+from rlswaim.locus import SCREEN
 
 
 def exact_roots(coefficients):
@@ -36,3 +38,17 @@ def relative_errors(found, wanted):
     """Return each found root's relative distance from the wanted root it is paired with (absolute at 0)."""
     partner = paired(found, wanted)
     return np.abs(found - partner) / np.where(partner == 0, 1, np.abs(partner))
+
+
+def off_the_polyline(exact, drawn, axes):
+    """Return how far (pixels) exact roots in view lie off drawn branches (K, n), the worst one."""
+    scale = np.array([SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])])
+    at = np.stack([drawn.real, drawn.imag], axis=-1) * scale
+    start, along = at[:-1].reshape(-1, 2), np.diff(at, axis=0).reshape(-1, 2)
+    length2 = np.maximum((along**2).sum(axis=1), 1e-300)
+    seen = exact[(exact.real > axes[0]) & (exact.real < axes[1]) & (np.abs(exact.imag) < axes[3])]
+    worst = 0.0
+    for point in np.stack([seen.real, seen.imag], axis=-1) * scale:
+        t = np.clip(((point - start) * along).sum(axis=1) / length2, 0, 1)
+        worst = max(worst, np.linalg.norm(start + t[:, None] * along - point, axis=1).min())
+    return worst

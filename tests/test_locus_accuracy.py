@@ -6,9 +6,9 @@ import pytest
 from scipy.linalg import block_diag
 
 import rlswaim as rl
-from exact import closed_loop, exact_roots, relative_errors
+from exact import closed_loop, exact_roots, off_the_polyline, relative_errors
 from rlswaim.branches import continuous_branches
-from rlswaim.locus import SCREEN, default_axes
+from rlswaim.locus import default_axes
 from rlswaim.openloop import open_loop
 
 
@@ -107,20 +107,6 @@ def test_the_systems_of_section_vii_keep_both_ends():
     assert relative_errors(found.roots[0], wanted).max() < 1e-10
 
 
-def off_the_polyline(points, locus, axes):
-    """Return how far (pixels) each point in view lies from the nearest segment of the drawn locus."""
-    scale = np.array([SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])])
-    xy = np.stack([locus.roots.real * scale[0], locus.roots.imag * scale[1]], axis=-1)
-    start, along = xy[:-1].reshape(-1, 2), np.diff(xy, axis=0).reshape(-1, 2)
-    length2 = np.maximum((along**2).sum(axis=1), 1e-300)
-    inside = (points.real > axes[0]) & (points.real < axes[1]) & (np.abs(points.imag) < axes[3])
-    worst = 0.0
-    for p in np.stack([points.real * scale[0], points.imag * scale[1]], axis=-1)[inside]:
-        t = np.clip(((p - start) * along).sum(axis=1) / length2, 0, 1)
-        worst = max(worst, np.linalg.norm(start + t[:, None] * along - p, axis=1).min())
-    return worst
-
-
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(
     "system",
@@ -137,7 +123,7 @@ def test_the_picture_is_true_to_a_quarter_pixel(system, sign):
     axes = default_axes(loop)
     gains = locus.gains[locus.gains != 0]
     dense = sign * np.geomspace(np.abs(gains).min(), np.abs(gains).max(), 1000)
-    assert off_the_polyline(rl.root_locus(system, dense).roots.ravel(), locus, axes) < 0.25
+    assert off_the_polyline(rl.root_locus(system, dense).roots.ravel(), locus.roots, axes) < 0.25
 
 
 def test_the_picture_follows_the_visible_axes():
@@ -147,7 +133,7 @@ def test_the_picture_follows_the_visible_axes():
     locus = rl.root_locus(system, sign=-1, axes=near)
     dense = -np.geomspace(1e-3, 10, 1000)
     exact = rl.root_locus(system, dense).roots.ravel()
-    assert off_the_polyline(exact, locus, near) < 0.25
+    assert off_the_polyline(exact, locus.roots, near) < 0.25
 
 
 @pytest.mark.parametrize("sign", [1, -1])
