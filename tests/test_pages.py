@@ -69,6 +69,13 @@ def test_page_is_whole_without_a_network(visit, path):
             assert page.locator("article h1").count() == 1
 
 
+def test_pages_are_served_under_a_policy_against_code_from_text(visit):
+    trial = "try { eval('1'); window.evaluated = true; } catch { window.evaluated = false; }"
+    with visit("book/preface.html") as (page, _, _):
+        page.add_script_tag(content=trial)
+        assert page.evaluate("() => window.evaluated") is False
+
+
 def test_every_page_of_the_contents_is_built(links):
     assert set(PAGES) <= set(links)
 
