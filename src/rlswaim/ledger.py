@@ -1,6 +1,6 @@
 """The ledger: every number that the report prints, beside the one computed here.
 
-A row of ``data/printed_*.csv`` holds the number as printed, as text: half a unit
+A row of ``data/printed.csv`` holds the number as printed, as text: half a unit
 in its last digit is its tolerance.  The verdicts are a short fixed list, and
 each is tested both ways: a row that is said to disagree and starts to agree is
 an error too.
@@ -13,7 +13,7 @@ from functools import cache
 import pandas as pd
 
 from rlswaim import evidence
-from rlswaim.tables import read_table
+from rlswaim.tables import printed_rows
 
 VERDICTS = (
     "agrees",
@@ -92,7 +92,7 @@ def ledger() -> tuple[Entry, ...]:
 
 def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entry]:
     computed = compute()
-    rows = read_table(f"printed_{section}")
+    rows = printed_rows(section)
     return [
         Entry(
             row["id"],
