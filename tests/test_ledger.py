@@ -240,3 +240,80 @@ def test_figures_lost_in_closure_2_are_small_in_size_alone():
     off = [e for e in LEDGER if e.id.startswith("text-closure2") and e.verdict == "rounding"]
     assert all(abs(e.computed - e.value) < 0.01 for e in off)
     assert {abs(e.value) > 1 for e in off} == {True, False}
+
+
+def of(id_):
+    return ENTRIES[id_].computed
+
+
+def products(power):
+    """Return the products in Eq. 48's factor of a power of s, signs included."""
+    c = EQS.coefficients
+    F, A, w = c["F1_thetadot"], c["F1_alpha"], c["Z_thetadot"] - EQS.U
+    return {
+        2: [
+            *(-F * c["M_q1dot"] * c["Z_alpha"], -F * c["M_q1"] * EQS.U, F * c["Z_q1dot"] * c["M_alpha"]),
+            *(A * c["M_q1dot"] * w, -A * c["Z_q1"], -A * c["Z_q1dot"] * c["M_thetadot"]),
+        ],
+        1: [
+            *(-F * c["M_q1"] * c["Z_alpha"], F * c["Z_q1"] * c["M_alpha"]),
+            *(A * c["M_q1"] * w, -A * c["Z_q1"] * c["M_thetadot"]),
+        ],
+    }[power]
+
+
+def largest(power, count):
+    return sum(sorted(products(power), key=abs)[-count:])
+
+
+def b_of_eq_74(K_A, K_R):
+    ab = (19400 * K_A + 445.3 * K_A * K_R + 1.164 - 4 * 8.103) / 2
+    return float(roots(np.array([ab, -8.103, 1.0])).real.min())
+
+
+CLAIMS = [  # row, number in its reason, what it is
+    ("tab1-M", "151,301", lambda: of("tab1-M")),
+    ("sec2-m_p", "1694", lambda: of("sec2-m_p")),
+    ("eq39-c0", ".11633", lambda: of("eq39-c0")),
+    ("eq39-omega_sp", ".3412", lambda: 0.1164**0.5),
+    ("eq39-omega_sp", ".3411", lambda: of("eq39-omega_sp")),
+    ("eq41-c0_1", "1.3235", lambda: of("eq41-c0_1")),
+    ("eq41-c1_2", ".06144", lambda: of("eq41-c1_2")),
+    ("eq50-s3", ".44160", lambda: of("eq50-s3")),
+    ("eq50-s3", ".4417", lambda: 0.1285 * 0.1032 + 0.1164 + 0.312),
+    ("eq51-s3", "-9.961", lambda: of("eq51-s3")),
+    ("eq51-s2", "463.80", lambda: of("eq51-s2")),
+    ("eq51-s2", "464.19", lambda: largest(2, 3)),
+    ("eq51-s1", "-4736.2", lambda: of("eq51-s1")),
+    ("eq51-s1", "-4734.5", lambda: largest(1, 3)),
+    ("eq61-c_0", ".11633", lambda: of("eq61-c_0")),
+    ("eq75-b", "printed b", lambda: b_of_eq_74(0.00161, 0.618)),
+    ("eq78-mode1-w2", "1.326", lambda: of("eq78-mode1-w2")),
+    ("eq82-mode1-2zw", ".024", lambda: of("eq82-mode1-2zw")),
+    ("eq82-mode1-w2", "1.3248", lambda: of("eq82-mode1-w2")),
+    ("eq84-K_R", ".6171", lambda: of("eq84-K_R")),
+    ("fig11-sp-zeta", ".5904", lambda: of("fig11-sp-zeta")),
+    ("eq125-M", "6.545e-10", lambda: 1 / 15.279e8),
+]
+
+
+@pytest.mark.parametrize(("row", "text", "value"), CLAIMS, ids=[f"{row}: {text}" for row, text, _ in CLAIMS])
+def test_numbers_in_reasons(row, text, value):
+    entry = ENTRIES[row]
+    assert text in entry.why
+    wanted = entry.printed if text.startswith("printed") else text
+    assert abs(value() - float(wanted.replace(",", ""))) <= half_unit(wanted)
+
+
+def test_products_are_those_of_eq_48():
+    assert sum(products(2)) == pytest.approx(of("eq51-s2"))
+    assert sum(products(1)) == pytest.approx(of("eq51-s1"))
+
+
+def test_rough_numbers_in_reasons():
+    assert of("fig16-K_A") / ENTRIES["fig16-K_A"].value == pytest.approx(4, rel=0.05)
+    aero = of("eq38-F1_q1") - 1 - 12.26e6 / 621915 * 0.05  # omega_1^2 and the thrust taken away
+    assert 100 * (0.312 - of("eq38-F1_q1")) / aero == pytest.approx(0.16, abs=0.005)
+    found = [abs(z) for z in dual.printed_factors("text-closure1-") if z.imag]
+    own = sorted(abs(z) for z in roots(EQS.characteristic_polynomial()) if z.imag > 0.5)
+    assert min(found) / max(own) > 10
