@@ -1,7 +1,7 @@
-"""The report's numbers: every row of the ledger, and the roots that matter most, written out here once more.
+"""The roots that matter most, written out here once more, beside the ledger and apart from it.
 
-The second part is independent of the ledger: it holds the text as printed, the equation it
-stands in, and how it is computed, so that a changed table cannot change the test with it.
+Each holds the text as printed, the equation it stands in, and how it is computed, so that a
+changed table cannot change the test with it.
 """
 
 from functools import cache
@@ -11,31 +11,7 @@ import pytest
 from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
-from rlswaim.ledger import VERDICTS, half_unit
-
-LEDGER = rl.ledger()
-
-
-# ---- the ledger
-
-
-@pytest.mark.parametrize("entry", LEDGER, ids=[entry.id for entry in LEDGER])
-def test_ledger(entry):
-    assert entry.verdict in VERDICTS
-    assert np.isfinite(entry.computed)
-    assert (entry.verdict == "agrees") == entry.agrees, (
-        f"printed {entry.printed}, computed {entry.computed:.6g}, said to be: {entry.verdict}"
-    )
-    assert entry.agrees or entry.why
-
-
-def test_ledger_ids_are_unique():
-    ids = [entry.id for entry in LEDGER]
-    assert len(set(ids)) == len(ids)
-
-
-def test_ledger_has_every_section_that_computes():
-    assert {"II", "III", "IV", "V", "VI", "VII"} <= {entry.section for entry in LEDGER}
+from rlswaim.ledger import half_unit
 
 
 @pytest.mark.parametrize(

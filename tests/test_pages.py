@@ -106,6 +106,24 @@ def test_internal_links_lead_somewhere(links):
     assert lost == []
 
 
+# ---- the ledger's page: the table is the ledger, and its search finds
+
+
+def test_printed_numbers_can_be_searched(visit):
+    with visit("book/12-agreement.html") as (page, outside, errors):
+        box, info = page.locator(".dt-search input"), page.locator(".dt-info")
+        box.wait_for()
+        assert f"of {len(rl.ledger())} entries" in info.text_content()
+        box.fill("plot reading")
+        wanted = [e for e in rl.ledger() if "plot reading" in f"{e.quantity} {e.verdict} {e.why}"]
+        page.wait_for_function("() => document.querySelector('.dt-info').textContent.includes('filtered')")
+        assert f"of {len(wanted)} entries" in info.text_content()
+        first = page.locator("#printed-numbers tbody tr").first.locator("td").all_text_contents()
+        assert first[0] == wanted[0].id
+        assert first[3] == wanted[0].printed
+        assert (outside, errors) == ([], [])
+
+
 # ---- chapter IV, live: what the page shows is what the library computes
 
 CHAPTER_IV = "book/04-rate-and-attitude-feedback.html"

@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from rlswaim.ledger import counts, errata
+from rlswaim.tables import read_table
+
 ROOT = Path(__file__).parent.parent
 WIDGETS = ROOT / "book" / "widgets"
 LARGEST = 1_500_000
@@ -84,6 +87,24 @@ def test_the_readme_s_example_runs():
         r"```python\n(.+?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL
     )
     exec(compile(example, "README.md", "exec"), {})
+
+
+def test_the_readme_counts_the_ledger_s_verdicts():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    lines = readme.partition("| verdict |")[2].partition("\n\n")[0].splitlines()
+    shown = {cells[0]: cells[1:] for line in lines[2:] if (cells := re.findall(r"[^|]+", line))}
+    wanted = {f" {verdict} ": [f" {n} " for n in row] for verdict, row in counts().T.iterrows()}
+    assert shown == wanted
+
+
+def test_the_errata_are_the_ledger_s():
+    """Written by `python -c "from rlswaim.ledger import errata; print(errata().to_csv(), end='')"`."""
+    fields = ("where", "quantity", "printed", "unit", "verdict", "why")
+    rows = read_table("errata")
+    assert [row["id"] for row in rows] == list(errata().index)
+    for row, wanted in zip(rows, errata().to_dict("records"), strict=True):
+        assert {name: row[name] for name in fields} == {name: wanted[name] for name in fields}
+        assert float(row["computed"]) == pytest.approx(float(wanted["computed"]), rel=1e-3, abs=1e-7)
 
 
 def test_the_readme_s_pictures_and_files_are_there():

@@ -17,7 +17,7 @@ from rlswaim.locus import RootLocus, root_locus
 from rlswaim.loops import from_factors, transfer
 from rlswaim.perturbation import JET_STATION, OUTPUTS, ROWS, PerturbationEquations
 from rlswaim.polynomials import determinant, roots
-from rlswaim.tables import column, constants, read_table
+from rlswaim.tables import column, constants, printed_rows
 
 ARMS = {"Z": 1.0, "M": 1.0, "F1": -1.0, "F2": -1.0}
 """Sign of the jet's force in each equation; M has the arm l_r - l_CG, F_i has phi_i(r) [Eq. 125]."""
@@ -163,7 +163,7 @@ def listed(values: Iterable[complex], digits: int = 3) -> str:
 
 def printed(start: str) -> dict[str, float]:
     """Return the printed numbers of Section VII whose ids start so, by the rest of the id."""
-    rows = read_table("printed_VII")
+    rows = printed_rows("VII")
     return {r["id"].removeprefix(start): float(r["printed"]) for r in rows if r["id"].startswith(start)}
 
 

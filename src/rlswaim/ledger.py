@@ -1,19 +1,20 @@
 """The ledger: every number that the report prints, beside the one computed here.
 
-A row of ``data/printed_*.csv`` holds the number as printed, as text: half a unit
+A row of ``data/printed.csv`` holds the number as printed, as text: half a unit
 in its last digit is its tolerance.  The verdicts are a short fixed list, and
 each is tested both ways: a row that is said to disagree and starts to agree is
 an error too.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache
 
 import pandas as pd
 
 from rlswaim import evidence
-from rlswaim.tables import read_table
+from rlswaim.evidence import causes
+from rlswaim.tables import printed_rows
 
 VERDICTS = (
     "agrees",
@@ -92,7 +93,7 @@ def ledger() -> tuple[Entry, ...]:
 
 def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entry]:
     computed = compute()
-    rows = read_table(f"printed_{section}")
+    rows = printed_rows(section)
     return [
         Entry(
             row["id"],
@@ -109,6 +110,25 @@ def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entr
     ]
 
 
+def table(entries: Iterable[Entry]) -> pd.DataFrame:
+    """Return ``entries`` as a table for a page, every cell as text.
+
+    Columns: where, quantity, printed, computed, unit, difference (%), verdict, why; indexed by id.
+    """
+    chosen = list(entries)
+    columns = {
+        "where": [e.where for e in chosen],
+        "quantity": [e.quantity for e in chosen],
+        "printed": [e.printed for e in chosen],
+        "computed": [f"{e.computed:.5g}" for e in chosen],
+        "unit": [e.unit for e in chosen],
+        "difference (%)": [f"{e.percent:.2f}" if e.value else "" for e in chosen],
+        "verdict": [e.verdict for e in chosen],
+        "why": [e.why for e in chosen],
+    }
+    return pd.DataFrame(columns, index=pd.Index([e.id for e in chosen], name="id"), dtype=object)
+
+
 def frame(section: str, start: str = "") -> pd.DataFrame:
     """Return the entries of one section as a table for a page.
 
@@ -122,19 +142,47 @@ def frame(section: str, start: str = "") -> pd.DataFrame:
     Returns
     -------
     DataFrame
-        Columns: where, quantity, printed, computed, unit, difference (%), verdict, why.
+        As `table`.
     """
-    chosen = [e for e in ledger() if e.section == section and e.id.startswith(start)]
-    return pd.DataFrame(
-        {
-            "where": [e.where for e in chosen],
-            "quantity": [e.quantity for e in chosen],
-            "printed": [e.printed for e in chosen],
-            "computed": [f"{e.computed:.5g}" for e in chosen],
-            "unit": [e.unit for e in chosen],
-            "difference (%)": [f"{e.percent:.2f}" for e in chosen],
-            "verdict": [e.verdict for e in chosen],
-            "why": [e.why for e in chosen],
-        },
-        index=pd.Index([e.id for e in chosen], name="id"),
-    )
+    return table(e for e in ledger() if e.section == section and e.id.startswith(start))
+
+
+def errata() -> pd.DataFrame:
+    """Return every entry that does not agree, rounding included, as `table` without the difference."""
+    return table(e for e in ledger() if not e.agrees).drop(columns="difference (%)")
+
+
+def counts() -> pd.DataFrame:
+    """Return how many entries each section (rows, and "all") has of each verdict (columns, and "all")."""
+    rows = pd.DataFrame([(e.section, e.verdict) for e in ledger()], columns=["section", "verdict"])
+    found = pd.crosstab(rows.section, rows.verdict, margins=True, margins_name="all")
+    found = found.reindex(index=[*evidence.SECTIONS, "all"], columns=[*VERDICTS, "all"], fill_value=0)
+    return found.rename_axis(columns=None)
+
+
+def repeated_slips() -> pd.DataFrame:
+    """Return each repeated slip or reading beside the printed number that it ends at, indexed by id.
+
+    Columns: where, printed, computed, with the slip, to (how near it comes), what was done.
+    """
+    entry, result = {e.id: e for e in ledger()}, causes.results()
+    rows = [(entry[row], cause) for cause in causes.causes() for row in cause.rows if row in result]
+    columns = {
+        "where": [e.where for e, _ in rows],
+        "printed": [e.printed for e, _ in rows],
+        "computed": [f"{e.computed:.5g}" for e, _ in rows],
+        "with the slip": [f"{result[e.id]:.5g}" for e, _ in rows],
+        "to": [cause.to for _, cause in rows],
+        "what was done": [cause.what for _, cause in rows],
+    }
+    return pd.DataFrame(columns, index=pd.Index([e.id for e, _ in rows], name="id"))
+
+
+def open_causes(found: str) -> pd.DataFrame:
+    """Return causes of one kind without a number to end at: ``found`` is "no" or "reading".
+
+    Columns: rows (ids), and what was tried or read.
+    """
+    chosen = [c for c in causes.causes() if c.found == found and not c.to]
+    columns = {"rows": [", ".join(c.rows) for c in chosen], "what": [c.what for c in chosen]}
+    return pd.DataFrame(columns, index=pd.Index([c.name for c in chosen], name="cause"))

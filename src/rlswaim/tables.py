@@ -30,6 +30,12 @@ def read_table(name: str) -> tuple[Row, ...]:
     return tuple(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
 
 
+@cache
+def printed_rows(section: str) -> tuple[Row, ...]:
+    """Return the rows of ``data/printed.csv``, the ledger's table, of one ``section`` (``"II"`` ...)."""
+    return tuple(row for row in read_table("printed") if row["section"] == section)
+
+
 def constants(name: str) -> dict[str, float]:
     """Return column ``value`` of ``data/<name>.csv`` by column ``symbol``, in each row's unit."""
     return {row["symbol"]: float(row["value"]) for row in read_table(name)}

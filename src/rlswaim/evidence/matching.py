@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.tables import read_table
+from rlswaim.perturbation import PerturbationEquations
+from rlswaim.tables import printed_rows
 
 KINDS = {
     "root": lambda s: s.real,
@@ -26,7 +27,13 @@ KINDS = {
 
 def printed(section: str) -> dict[str, float]:
     """Return the printed numbers of one ``section`` by id."""
-    return {row["id"]: float(row["printed"].replace(",", "")) for row in read_table(f"printed_{section}")}
+    return {row["id"]: float(row["printed"].replace(",", "")) for row in printed_rows(section)}
+
+
+def as_written(eqs: PerturbationEquations, *starts: str) -> dict[str, float]:
+    """Return the entries of Eq. 38's matrix and thrust column, for each start of ids in ``starts``."""
+    entries = {**eqs.coefficients, "Z_thetadot": eqs.coefficients["Z_thetadot"] - eqs.U, "U": eqs.U}
+    return {f"{start}{name}": value for start in starts for name, value in entries.items()}
 
 
 def _root(kinds: dict[str, float]) -> complex:

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.coupling import partition
+from rlswaim.evidence.matching import as_written
 from rlswaim.perturbation import ROWS, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.vehicle import swaim_booster
@@ -25,19 +26,19 @@ def _coefficients() -> dict[str, float]:
     """Return Eq. 38 from the data of Section II: coefficients and the gust's column."""
     eqs = perturbation_equations(swaim_booster())
     gust = zip(ROWS, eqs.forcing("alpha_g"), strict=True)
-    numbers = {f"eq38-{name}": value for name, value in eqs.coefficients.items()}
-    numbers["eq38-Z_thetadot"] -= eqs.U
+    numbers = as_written(eqs, "eq38-")
     own = {"eq45-c1": eqs.coefficients["F1_q1dot"], "eq46-c0": eqs.coefficients["F1_q1"]}
     return numbers | own | {f"eq38-gust_{row}": float(value) for row, value in gust}
 
 
 def computed() -> dict[str, float]:
-    """Return our number for each row of ``data/printed_III.csv``, by its id."""
+    """Return our number for each row of section III of ``data/printed.csv``, by its id."""
     printed = printed_equations()
     rigid, parts = printed.characteristic_polynomial(order=2), partition(printed)
     omega = np.sqrt(rigid[1])
     return {
         **_coefficients(),
+        **as_written(printed, "eq42-", "eq48-"),
         **{"eq39-c1": rigid[2], "eq39-c0": rigid[1]},
         **{"eq39-omega_sp": omega, "eq39-zeta_sp": rigid[2] / (2 * omega)},
         **_modal("eq40", printed.characteristic_polynomial(order=3)),

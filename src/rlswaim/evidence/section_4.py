@@ -2,13 +2,14 @@
 
 import numpy as np
 
-from rlswaim.evidence.matching import printed, roots_beside
+from rlswaim.evidence.matching import as_written, printed, roots_beside
 from rlswaim.gains import gain_terms, gains_for_pole
 from rlswaim.locus import root_locus
 from rlswaim.loops import denominator, factors, theta_loop
-from rlswaim.perturbation import PerturbationEquations, perturbation_equations, printed_equations
+from rlswaim.perturbation import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.rigid_body import RigidBody, rigid_body, rigid_design
+from rlswaim.tables import read_table
 from rlswaim.vehicle import swaim_booster
 
 K_C = 10.0
@@ -37,10 +38,18 @@ def closed_loop_roots(
     return root_locus(theta_loop(eqs, K_C, K_R, gyro, order=order), [K_A]).roots[0]
 
 
+def _choices() -> dict[str, float]:
+    """Return the gains in the captions of Figures 8 to 11, as the computations take them."""
+    rows = [r for r in read_table("designs") if r["name"].startswith("Figure")]
+    rows = [r for r in rows if r["parameter"].startswith("K_")]
+    return {f"fig{r['name'].split()[1]}-{r['parameter']}": float(r["value"]) for r in rows}
+
+
 def _data() -> dict[str, float]:
     booster = swaim_booster()
     eqs = perturbation_equations(booster)
-    found = {"eq59-gust_M": -eqs.coefficients["M_alpha"]}
+    found = as_written(printed_equations(), "eq59-", "eq60-", "eq76-") | _choices()
+    found |= {f"eq59-gust_{row}": -eqs.coefficients[f"{row}_alpha"] for row in ROWS}
     for station in (60, 400, 304):
         found[f"sigma-{station}-mode1"] = booster.modes[0].slope(station)
     return found | {f"sigma-{station}-mode2": booster.modes[1].slope(station) for station in (400, 304)}
@@ -66,6 +75,8 @@ def _design(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]
         "eq75-b": gains.b,
         "eq76-s": 1 / (gains.K_A * K_C),
         "eq76-1": 1 / gains.K_A,
+        "eq76-K_R": p["eq75-K_R"],
+        "eq76-slope": -eqs.modes[0].slope(60),
         "eq76-sigma": -p["eq75-K_R"] * p["sigma-60-mode1"],
     }
 
@@ -104,7 +115,7 @@ def _transfer_functions(eqs: PerturbationEquations) -> dict[str, float]:
 
 
 def computed() -> dict[str, float]:
-    """Return our number for each row of ``data/printed_IV.csv``, by its id.
+    """Return our number for each row of section IV of ``data/printed.csv``, by its id.
 
     The closed loops of Eqs. 77 to 82 are those of the printed gains; the design itself (Eqs. 61
     to 76) is followed with the division by U that the report leaves out.

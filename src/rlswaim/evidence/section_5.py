@@ -46,7 +46,7 @@ def quartic(zeros: np.ndarray) -> np.ndarray:
 
 
 def computed() -> dict[str, float]:
-    """Return our number for each row of ``data/printed_V.csv``, by its id.
+    """Return our number for each row of section V of ``data/printed.csv``, by its id.
 
     The zeros of Eq. 108 come from the equations of motion and the mode shapes; Figure 16 is
     followed along the printed zeros.
@@ -57,6 +57,8 @@ def computed() -> dict[str, float]:
     short = root_locus(outer, [39.0]).roots[0]
     at = min(short[short.imag > 0], key=lambda s: abs(s - WANTED))
     return {
+        **{"fig15-K_C": K_C, "fig15-sensor": SENSOR},
+        **{"fig16-K_C": K_C, "fig16-K_R": K_R, "fig16-K_z": K_Z, "fig16-sensor": SENSOR},
         "eq108-gain": gain / K_C,
         "eq109-gain": float(eqs.numerator("theta", "delta")[5]),
         "fig16-K_A": nearest_gain(outer, WANTED, np.geomspace(1, 1000, 3001))[0],

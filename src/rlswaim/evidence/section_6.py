@@ -25,14 +25,17 @@ def printed_second_loop() -> control.TransferFunction:
 
 
 def computed() -> dict[str, float]:
-    """Return our number for each row of ``data/printed_VI.csv``, by its id.
+    """Return our number for each row of section VI of ``data/printed.csv``, by its id.
 
     The zeros of Eq. 115 come from the equations of motion and the mode shapes; the poles of
     Eq. 118 are followed along the printed zeros.
     """
     gain, zeros, _ = factors(inner_loop(printed_equations(), K_C, SENSOR_A))
+    choices = {"fig19-K_C": K_C, "fig19-sensor": SENSOR_A, "fig20-K_C": K_C, "fig20-K_za": K_ZA}
+    choices |= {"fig20-sensor_a": SENSOR_A, "fig20-sensor_b": SENSOR_B}
     return (
-        {"eq115-gain": gain / K_C, "eq118-gain": K_C * printed("V")["eq108-gain"]}
+        choices
+        | {"eq115-gain": gain / K_C, "eq118-gain": K_C * printed("V")["eq108-gain"]}
         | roots_beside("VI", "eq115-z", zeros)
         | roots_beside("VI", "eq118-p", root_locus(printed_first_loop(), [K_ZA]).roots[0])
     )

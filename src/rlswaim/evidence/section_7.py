@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim import dual
+from rlswaim.evidence.matching import as_written
 from rlswaim.perturbation import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.tables import constants
@@ -34,6 +35,7 @@ def paired(start: str, found: NDArray) -> dict[str, float]:
     cost = np.abs(np.arcsinh(wanted.real)[:, None] - np.arcsinh(found.real)) + np.abs(
         np.arcsinh(wanted.imag)[:, None] - np.arcsinh(found.imag)
     )
+    cost = np.sqrt(cost)  # so that a root in its place counts for more than two halfway there
     cost += 100 * ((wanted.imag > 0)[:, None] != (found.imag > 0))
     numbers = {f"{start}{name}": float("nan") for name in number}
     for i, j in zip(*linear_sum_assignment(cost), strict=True):
@@ -45,9 +47,9 @@ def paired(start: str, found: NDArray) -> dict[str, float]:
 
 def _determinants(eqs: PerturbationEquations) -> dict[str, float]:
     """Return the entries of the determinants in Eqs. 131 and 132."""
-    number = {**eqs.coefficients, "Z_thetadot": eqs.coefficients["Z_thetadot"] - eqs.U, "U": eqs.U}
-    number |= {f"jet_{row}": -dual.ARMS[row] * -eqs.jet[row] for row in ROWS}
-    return {f"{eq}-{name}": value for eq in ("eq131", "eq132") for name, value in number.items()}
+    jets = {f"jet_{row}": dual.ARMS[row] * eqs.jet[row] for row in ROWS}
+    number = as_written(eqs, "eq131-", "eq132-")
+    return number | {f"{eq}-{name}": value for eq in ("eq131", "eq132") for name, value in jets.items()}
 
 
 def _bracket(eqs: PerturbationEquations) -> dict[str, float]:
@@ -106,7 +108,7 @@ def _text(eqs: PerturbationEquations) -> dict[str, float]:
 
 
 def computed() -> dict[str, float]:
-    """Return our number for each row of ``data/printed_VII.csv``, by its id."""
+    """Return our number for each row of section VII of ``data/printed.csv``, by its id."""
     eqs, own = printed_equations(), perturbation_equations(swaim_booster())
     jet = {f"eq125-{row}": -dual.ARMS[row] * own.jet[row] for row in ROWS}
     return jet | _determinants(eqs) | _bracket(eqs) | _closures(eqs) | _text(eqs)
