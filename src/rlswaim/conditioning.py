@@ -31,6 +31,7 @@ def without(*names: str) -> Reduce:
     """Return a reduction that holds the states with these ``names`` at zero."""
 
     def reduced(A: NDArray, states: list[str]) -> NDArray:
+        """Return the rows and columns of ``A`` that belong to the other ``states``."""
         kept = [i for i, state in enumerate(states) if state not in names]
         return A[..., kept, :][..., kept]
 
