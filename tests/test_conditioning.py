@@ -11,6 +11,7 @@ from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
 from rlswaim import conditioning, dual
+from rlswaim.evidence.conclusions import closed_loop
 from rlswaim.figures.conditioning import draw_sensitivities
 from rlswaim.gains import gain_terms
 from rlswaim.perturbation import COEFFICIENTS
@@ -111,6 +112,23 @@ def test_unstable_root_moves_by_a_fifth_of_each_coefficient():
     row = TABLE[(TABLE.loop == "Eq. 41") & (TABLE.right == 1)].iloc[0]
     assert (row.coefficient, row.factor) == ("F1_alpha", pytest.approx(0.197, abs=1e-3))
     assert row.spread == pytest.approx(6.7e-4, abs=2e-5)
+
+
+def test_loop_that_works_stays_stable_within_the_digits():
+    works = conditioning.table({"it": conditioning.family(EQS, lambda e: closed_loop(e, "dual_actuation"))})
+    assert (works.right == 0).all()
+    assert works.spread.max() == pytest.approx(0.057, abs=0.003)
+    assert works.spread.nsmallest(len(works) - 1).max() < 0.002
+
+
+def test_table_as_texts():
+    shown = conditioning.as_texts(TABLE[TABLE.loop == "Eq. 41"])
+    assert list(shown.iloc[1][["loop", "root (1/s)", "moved most by"]]) == [
+        "Eq. 41",
+        "1.30967",
+        r"$F_{1\alpha}$",
+    ]
+    assert float(shown.iloc[1]["spread (%)"]) == pytest.approx(0.067, abs=0.002)
 
 
 def test_sum_of_slopes_is_what_a_common_factor_does():

@@ -20,6 +20,7 @@ from rlswaim.dual import final_design
 from rlswaim.evidence.matching import printed
 from rlswaim.evidence.section_4 import CLOSED_LOOPS, K_C
 from rlswaim.ledger import half_unit
+from rlswaim.loops import as_text
 from rlswaim.perturbation import COEFFICIENTS, PerturbationEquations
 from rlswaim.systems import dual_actuation, rate_attitude
 from rlswaim.tables import constants, read_table
@@ -206,3 +207,18 @@ def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
                 }
             )
     return pd.DataFrame(rows)
+
+
+def as_texts(rows: pd.DataFrame) -> pd.DataFrame:
+    """Return the ``rows`` of `table` as texts for a page, with numbers in percent."""
+    latex = {row["symbol"]: f"${row['latex']}$" for row in read_table("coefficients")}
+    percent = {
+        "spread (%)": "spread",
+        "to first order (%)": "first order",
+        "of the real part (%)": "real part",
+        "right of the axis (%)": "right",
+    }
+    found = {"loop": rows["loop"], "root (1/s)": [as_text([root], 4) for root in rows["root"]]}
+    found |= {name: [f"{100 * x:.3g}" for x in rows[key]] for name, key in percent.items()}
+    found["moved most by"] = [latex[name] for name in rows["coefficient"]]
+    return pd.DataFrame(found | {"percent per percent": [f"{x:.3g}" for x in rows["factor"]]})

@@ -36,7 +36,7 @@ def draw_far_locus(ax: Axes, locus: RootLocus, closed: ArrayLike, printed: Array
     ax.set_xscale("symlog", linthresh=1.0)
     ax.set_yscale("symlog", linthresh=1.0)
     ax.set(xlim=(-1e9, 1e4), ylim=(-0.15, 300), xlabel="real part (1/s)", ylabel="imaginary part (1/s)")
-    ax.set_xticks([-1e8, -1e6, -1e4, -1e2, -1, 0, 1, 1e2, 1e4])
+    ax.set_xticks([-1e8, -1e6, -1e4, -1e2, 0, 1e2, 1e4])
     return ax
 
 
