@@ -79,3 +79,32 @@ def test_recomputed_totals():
     assert (exact.M, exact.l_CG) == pytest.approx((151301, 289.773), abs=1e-3)
     assert [mode.mass for mode in exact.modes] == pytest.approx([622035.6, 637007.2], abs=0.1)
     assert exact.thrust_station == BOOSTER.thrust_station
+
+
+@pytest.mark.parametrize("second_first", [False, True])
+def test_orthogonalized_modes_are_those_of_a_free_beam(second_first):
+    free = BOOSTER.orthogonalized(second_first)
+    m, shapes = free.masses, [mode.deflection(free.stations) for mode in free.modes]
+    rigid = [np.ones(11), free.arms]
+    cosines = [modes.mass_cosine(m, phi, other) for phi in shapes for other in rigid]
+    assert [*cosines, modes.mass_cosine(m, *shapes)] == pytest.approx([0] * 5, abs=1e-12)
+    for mode, old, phi in zip(free.modes, BOOSTER.modes, shapes, strict=True):
+        assert mode.deflection(free.thrust_station) == pytest.approx(1)
+        assert mode.mass == pytest.approx(m @ phi**2)
+        assert (mode.omega, mode.zeta) == (old.omega, old.zeta)
+
+
+def test_only_a_line_and_a_scale_are_taken_off_the_first_mode():
+    x = np.linspace(0, 420, 43)
+    bent = [np.diff(b.modes[0].deflection(x), 2) for b in (BOOSTER, BOOSTER.orthogonalized())]
+    np.testing.assert_allclose(bent[1] * (bent[0] @ bent[1]) / (bent[1] @ bent[1]), bent[0], atol=1e-12)
+    slopes = BOOSTER.orthogonalized().modes[0].slope(x)
+    assert np.abs(slopes + np.gradient(BOOSTER.orthogonalized().modes[0].deflection(x), x))[1:-1].max() < 1e-3
+
+
+def test_orthogonalizing_twice_changes_nothing():
+    once = BOOSTER.orthogonalized()
+    twice = once.orthogonalized()
+    for a, b in zip(once.modes, twice.modes, strict=True):
+        np.testing.assert_allclose(a.deflections, b.deflections, atol=1e-12)
+        assert a.mass == pytest.approx(b.mass)

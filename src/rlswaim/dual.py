@@ -242,11 +242,17 @@ def table_3(eqs: PerturbationEquations, points: int = 600) -> tuple[Stiffening, 
     """Return `Stiffening` for each of Table 3's pairs, with ``points`` gains up to that of Figure 24."""
     cases = zip(*(column("table3", name) for name in ("case", "sensor_ft", "jet_ft")), strict=True)
     design, largest = final_design()
-    gains = np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * abs(largest)])
-    return tuple(_better_sign(eqs, int(c), design._replace(sensor=z, jet=r), gains) for c, z, r in cases)
+    gains = gains_to(largest, points)
+    return tuple(stiffening(eqs, int(c), design._replace(sensor=z, jet=r), gains) for c, z, r in cases)
 
 
-def _better_sign(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) -> Stiffening:
+def gains_to(largest: float, points: int) -> NDArray:
+    """Return 0 and so many ``points`` up to the size of the ``largest`` gain, evenly in the logarithm."""
+    return np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * abs(largest)])
+
+
+def stiffening(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) -> Stiffening:
+    """Return `Stiffening` of one ``case`` for the better sign; ``gains`` are sizes (lb s/ft) from 0 up."""
     opened = closure_1(eqs, loop)
     found = [_stiffening(eqs, case, loop, sign, root_locus(opened, sign * gains)) for sign in (1, -1)]
     return max(found, key=lambda s: (VERDICTS.index(s.verdict), min(s.factors)))

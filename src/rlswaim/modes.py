@@ -11,8 +11,8 @@ withholding a printed slope: `BendingMode.withheld_slopes`; chapter II of the
 book gives the figures.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import overload
 
@@ -170,3 +170,35 @@ def mass_cosine(masses: NDArray, first: NDArray, second: NDArray) -> float:
         generalized_mass(masses, a, b) for a, b in ((first, second), (first, first), (second, second))
     )
     return float(product / np.sqrt(one * other))
+
+
+def purified(
+    mode: BendingMode, stations: NDArray, masses: NDArray, others: Sequence[BendingMode] = ()
+) -> BendingMode:
+    """Return a mode less its parts along rigid translation, rigid rotation and other modes.
+
+    Parameters
+    ----------
+    mode : BendingMode
+    stations, masses : ndarray, shape (n,)
+        Of the concentrated masses (ft, slug), the weights of the projection.
+    others : sequence of BendingMode
+        Modes with the stations of ``mode``.
+
+    Returns
+    -------
+    BendingMode
+        Bent as before but for the others: a straight line is taken off its deflections.
+    """
+
+    def basis(x: NDArray, slope: bool = False) -> NDArray:
+        line = [0 * x, 0 * x + 1] if slope else [0 * x + 1, -x]
+        return np.column_stack([*line, *(o.slope(x) if slope else o.deflection(x) for o in others)])
+
+    weight = np.sqrt(masses)
+    share = np.linalg.lstsq(weight[:, None] * basis(stations), weight * mode.deflection(stations))[0]
+    return replace(
+        mode,
+        deflections=mode.deflections - basis(mode.stations) @ share,
+        slopes=mode.slopes - basis(mode.slope_stations, slope=True) @ share,
+    )

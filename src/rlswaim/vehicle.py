@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim import checks
-from rlswaim.modes import BendingMode, generalized_mass
+from rlswaim.modes import BendingMode, generalized_mass, purified
 from rlswaim.quantity import quantity
 from rlswaim.tables import column, constants, read_table
 
@@ -130,6 +130,22 @@ class Booster:
         inertia = float(self.masses @ (centre - self.stations) ** 2)
         modes = tuple(replace(mode, mass=self._sum_m_phi_squared(mode)) for mode in self.modes)
         return replace(self, M=total, l_CG=centre, I_y=inertia, modes=modes, l_G=self.thrust_station - centre)
+
+    def orthogonalized(self, second_first: bool = False) -> Self:
+        """Return the booster with modes that are orthogonal to rigid motion and to each other.
+
+        Parts along translation, rotation and the other mode are taken off by projection, the masses as
+        weights (Gram and Schmidt); the first mode, or with ``second_first`` the second, loses the rigid
+        parts alone.  Frequencies, damping ratios, phi = 1 at the thrust point and all data but the modes'
+        are kept; generalized masses are the sums for the new shapes.
+        """
+        found: dict[int, BendingMode] = {}
+        for at in (1, 0) if second_first else (0, 1):
+            mode = purified(self.modes[at], self.stations, self.masses, list(found.values()))
+            one = mode.deflection(self.thrust_station)
+            mode = replace(mode, deflections=mode.deflections / one, slopes=mode.slopes / one)
+            found[at] = replace(mode, mass=self._sum_m_phi_squared(mode))
+        return replace(self, modes=(found[0], found[1]), name=f"{self.name}, modes orthogonalized")
 
     def _sum_m_phi_squared(self, mode: BendingMode) -> float:
         phi = np.asarray(mode.deflection(self.stations))

@@ -1,0 +1,253 @@
+"""The report's path and the corrected one, at the values that the chapters show; and consistent data."""
+
+from dataclasses import replace
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+from scipy.optimize import linear_sum_assignment
+
+import rlswaim as rl
+from rlswaim import dual, loops, readings, trajectory, variants
+from rlswaim.evidence import paths, section_5, section_6
+from rlswaim.evidence.matching import printed_roots
+from rlswaim.evidence.section_4 import CLOSED_LOOPS, K_C, WANTED, closed_loop_roots
+from rlswaim.figures.paths import draw_far_locus, draw_readings
+from rlswaim.locus import root_locus
+from rlswaim.polynomials import roots
+from rlswaim.rigid_body import rigid_body, rigid_design
+
+EQS, BOOSTER = rl.printed_equations(), rl.swaim_booster()
+K_A, K_R = 0.0016, 0.618
+RIGHT = rigid_design(rigid_body(EQS), omega=2.0, zeta=0.5, K_C=K_C)
+JET, KK_Z = dual.final_design()
+
+
+def at(loop, gain):
+    return root_locus(loop, [gain]).roots[0]
+
+
+def contains(found, wanted, within):
+    """Pair wanted roots with found ones; the largest distance over size is at most ``within``."""
+    wanted = np.asarray(list(wanted), complex)
+    distance = np.abs(wanted[:, None] - np.asarray(found)) / np.maximum(np.abs(wanted)[:, None], 1e-2)
+    return distance[linear_sum_assignment(distance)].max() <= within
+
+
+def upper(found):
+    return sorted((r for r in found if r.imag > 1e-9), key=abs)
+
+
+# ---- Section III: the coupling on two scales
+
+
+def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
+    pair = paths.coupling_loops(EQS)
+    eq_40 = [1.08, -1.28, complex(-0.0387 / 2, np.sqrt(1.813 - 0.0387**2 / 4))]
+    assert contains(at(pair["corrected"], 1), eq_40, 0.004)
+    mixed = at(pair["report"], 1)
+    assert not contains(mixed, eq_40, 0.5)
+    assert max(mixed.real) == pytest.approx(6.68, abs=0.01)
+    assert upper(mixed)[0] == pytest.approx(1.62 + 8.19j, abs=0.01)
+
+
+def test_without_coupling_both_scales_start_alike():
+    first, second = (np.sort_complex(at(loop, 0)) for loop in paths.coupling_loops(EQS).values())
+    np.testing.assert_allclose(first, second, atol=1e-3)
+
+
+# ---- Section IV: gains of the rigid body
+
+
+def test_each_rigid_loop_has_the_wanted_short_period_at_its_own_gain_alone():
+    pair = paths.rigid_loops(EQS)
+    assert np.abs(at(pair["report"], K_A) - WANTED).min() < 0.01
+    assert np.abs(at(pair["corrected"], RIGHT.K_A) - WANTED).min() < 0.01
+    assert np.abs(at(pair["corrected"], K_A) - WANTED).min() > 1.5
+    fast = upper(at(pair["report"], RIGHT.K_A))[0]
+    assert (abs(fast), -fast.real / abs(fast)) == pytest.approx((189.3, 0.0223), rel=3e-3)
+
+
+@pytest.mark.parametrize("number", CLOSED_LOOPS)
+def test_printed_roots_are_those_of_the_gain_with_the_slip(number):
+    gyro, order = CLOSED_LOOPS[number]
+    wanted = [
+        r for name, r in printed_roots("IV", f"eq{number}-").items() if number != "79" or "mode1" not in name
+    ]
+    assert contains(closed_loop_roots(EQS, K_A, K_R, gyro, order), wanted, 0.005)
+    assert not contains(closed_loop_roots(EQS, RIGHT.K_A, RIGHT.K_R, gyro, order), wanted, 0.05)
+
+
+@pytest.mark.parametrize(
+    ("gyro", "unstable", "first", "second"),
+    [(60, 1.39, 0.63, -0.34), (400, 1.07, 0.45, -0.30), (304, 1.21, 0.32, 0.08)],
+)
+def test_closed_loops_at_the_right_gain(gyro, unstable, first, second):
+    found = closed_loop_roots(EQS, RIGHT.K_A, RIGHT.K_R, gyro)
+    pairs = [-r.real / abs(r) for r in upper(found)[:2]]
+    assert max(found[found.imag == 0].real) == pytest.approx(unstable, abs=0.005)
+    assert pairs == pytest.approx([first, second], abs=0.005)
+
+
+# ---- Sections V and VI: the zeros of the inner loops
+
+
+@pytest.mark.parametrize(
+    ("station", "as_printed", "gain", "first", "second"),
+    [
+        (140, section_5.printed_inner_loop(), 0.054, 1.23, 7.97),
+        (300, section_6.printed_first_loop(), -0.144, 1.56, 7.64),
+    ],
+)
+def test_inner_loops_close_otherwise_along_each_set_of_zeros(station, as_printed, gain, first, second):
+    report, corrected = at(as_printed, gain), at(loops.inner_loop(EQS, K_C, station), gain)
+    assert upper(report)[0].real > 1
+    modes = upper(corrected)
+    assert all(r.real < 0 for r in modes)
+    assert [abs(r) for r in modes] == pytest.approx([first, second], abs=0.01)
+
+
+def test_poles_of_eq_118_follow_from_the_printed_zeros_alone():
+    wanted = printed_roots("VI", "eq118-p").values()
+    assert contains(at(section_6.printed_first_loop(), -0.144), wanted, 0.11)
+    assert not contains(at(loops.inner_loop(EQS, K_C, 300), -0.144), wanted, 0.3)
+
+
+def test_outer_loop_of_section_v_both_ways():
+    report = section_5.printed_outer_loop()
+    corrected = loops.outer_loop(EQS, K_C, section_5.K_R, [(section_5.K_Z, section_5.SENSOR)])
+    gain, _ = section_5.nearest_gain(report, WANTED, np.geomspace(1, 1000, 3001))
+    assert gain == pytest.approx(154, abs=0.5)
+    assert np.abs(at(report, gain) - WANTED).min() == pytest.approx(0.01, abs=0.002)
+    assert np.abs(at(report, 39) - WANTED).min() == pytest.approx(1.52, abs=0.01)
+    assert upper(at(report, 39))[0] == pytest.approx(1.68 + 2.11j, abs=0.01)
+    assert upper(at(corrected, 39)) == pytest.approx([-0.003 + 2.583j, -4.226 + 17.314j], abs=0.001)
+    assert at(corrected, 39).real.max() == pytest.approx(1.169, abs=0.001)
+
+
+# ---- Section VII: three closures
+
+
+def test_closure_2_both_ways():
+    pair = paths.closure_2_loops(EQS)
+    report, corrected = (at(loop, 1) for loop in pair.values())
+    assert min(report.real) == pytest.approx(-1.115e7, rel=1e-3)
+    assert contains(report, [r for r in dual.printed_factors("text-closure2-") if abs(r) > 0.1], 0.12)
+    assert min(corrected.real) == pytest.approx(-397, abs=0.5)
+    assert max(corrected.real) == pytest.approx(390, abs=0.5)
+    assert contains(corrected, roots(EQS.characteristic_polynomial())[1:], 1e-4)
+    assert not contains(report, roots(EQS.characteristic_polynomial())[1:], 0.02)
+
+
+def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
+    report = dual.printed_closure_3(1, 0.286)
+    corrected = dual.closure_3(EQS, JET, KK_Z, 1, 0.286)
+    assert (report.poles().size, corrected.poles().size) == (16, 9)
+    assert [int((loop.poles().real > 1e-9).sum()) for loop in (report, corrected)] == [4, 1]
+
+
+# ---- Table 3 and the mode shapes
+
+
+@pytest.fixture(scope="module")
+def read():
+    return readings.readings(EQS, dual.table_3(EQS), samples=0)
+
+
+def test_starting_rates_are_those_of_the_roots_themselves():
+    loop = JET._replace(sensor=236.0, jet=56.0)
+    phi = readings.deflections(EQS, loop) * [1.04, 0.97, 0.95, 1.05]
+    eqs, small = readings.read_so(EQS, loop, phi), 1e-3
+    rates = readings.starting_rates(EQS, loop, phi[None])[0]
+    ends = [[abs(r) for r in upper(roots(dual.closed_1(eqs, loop, k)))] for k in (small, -small)]
+    np.testing.assert_allclose((np.array(ends[0]) - ends[1]) / (2 * small), rates, rtol=1e-4)
+
+
+@pytest.mark.parametrize(("sensor", "jet"), [(39.0, 140.0), (231.0, 140.0), (56.0, 56.0)])
+def test_a_reading_is_what_both_modes_have_there(sensor, jet):
+    loop = JET._replace(sensor=sensor, jet=jet)
+    phi = readings.deflections(EQS, loop) * [1.05, 0.95, 1.05, 0.95]
+    assert readings.deflections(readings.read_so(EQS, loop, phi), loop) == pytest.approx(phi)
+
+
+def test_what_is_barred_exactly_is_never_found(read):
+    assert all(r.rises == 0 for r in read if r.barred)
+
+
+def test_verdicts_within_five_percent(read):
+    judged = {
+        word: {r.nominal.case for r in read if r.judgement == word}
+        for word in ("robustly yes", "robustly no", "depends on the reading")
+    }
+    assert judged["robustly yes"] == {1, 2, 4, 7, 11, 13, 14, 19}
+    assert judged["depends on the reading"] == {16}
+    assert judged["robustly no"] == {r.nominal.case for r in read if r.barred}
+    assert {r.nominal.case for r in read if r.steadies} == {1, 4}
+    assert all(r.steadies == r.total for r in read if r.nominal.case in {1, 4})
+    assert 0 < read[21].ends < read[21].total == 17
+
+
+def test_near_nodes_an_absolute_error_undoes_more(read):
+    chosen = [r.nominal for r in read if r.nominal.case in {4, 14, 19}]
+    again = readings.readings(EQS, chosen, least=0.05, samples=0)
+    assert [r.judgement for r in again] == [
+        "depends on the reading",
+        "robustly yes",
+        "depends on the reading",
+    ]
+
+
+# ---- consistent data
+
+
+def conditions():
+    ascent = trajectory.swaim_ascent()
+    return variants.flight_conditions(BOOSTER, ascent, trajectory.level_at_burnout(ascent))
+
+
+def test_consistent_flight_conditions_are_in_the_air():
+    for name, flight in conditions().items():
+        in_air = trajectory.dynamic_pressure(flight.h, flight.U)[0]
+        assert (in_air == pytest.approx(flight.q_D)) == (name != "printed")
+
+
+def test_unstable_root_at_each_flight_condition():
+    found = variants.survey({n: replace(BOOSTER, flight=f) for n, f in conditions().items()})
+    expected = [1.307, 1.232, 1.311, 0.972, 2.030, 1.045, 1.285, 1.285]
+    assert list(found["both modes"]) == pytest.approx(expected, abs=1e-3)
+    assert (found.margin < 0).all()
+    assert found.doubling["printed"] == pytest.approx(0.530, abs=1e-3)
+
+
+def test_what_orthogonal_modes_leave_of_section_iii():
+    boosters = {"printed": BOOSTER, "1": BOOSTER.orthogonalized(), "2": BOOSTER.orthogonalized(True)}
+    found = variants.survey(boosters)
+    assert list(found["one mode"]) == pytest.approx([1.083, 0.703, 0.595], abs=1e-3)
+    assert list(found["both modes"]) == pytest.approx([1.307, 0.979, 0.826], abs=1e-3)
+    assert list(found["s"]) == pytest.approx([-69.6, -6.39, -4.73], abs=0.05)
+    assert (np.abs(found["s^2"]) < 0.2).tolist() == [False, True, True]
+    assert (found.margin < -5).all()
+
+
+# ---- figures
+
+
+def test_far_locus_shows_every_root():
+    with mpl.rc_context():
+        fig, ax = plt.subplots()
+        loop = paths.closure_2_loops(EQS)["report"]
+        locus = root_locus(loop, np.concatenate([[0.0], np.geomspace(1e-12, 1, 60)]))
+        draw_far_locus(ax, locus, locus.roots[-1], dual.printed_factors("text-closure2-"))
+        closed = next(line for line in ax.lines if line.get_label() == "closed loop, computed")
+        assert min(closed.get_xdata()) == pytest.approx(-1.115e7, rel=1e-3)
+        assert ax.get_xlim()[0] < min(closed.get_xdata())
+        plt.close(fig)
+
+
+def test_bars_of_readings_are_their_shares(read):
+    with mpl.rc_context():
+        fig, ax = plt.subplots()
+        draw_readings(ax, [read], ["5 percent"])
+        assert [bar.get_height() for bar in ax.patches] == [100 * r.rises / r.total for r in read]
+        plt.close(fig)
