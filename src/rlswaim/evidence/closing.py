@@ -24,6 +24,7 @@ LOOPS: dict[str, Callable[..., control.StateSpace]] = {
     "two_sensor": systems.two_sensor,
     "dual_actuation": systems.dual_actuation,
     "modest_jet": systems.dual_actuation,
+    "figure_25": systems.dual_actuation,
 }
 SENSORS = {"K_z": "sensor", "K_za": "sensor_a", "K_zb": "sensor_b"}
 """Gain of each linear sensor that feeds the thrust vector, and the name of its station."""

@@ -1,8 +1,8 @@
 """Bounded global searches over all gains and stations of a control system [Sections IV to VII].
 
-The bounds stand in ``data/search_bounds.csv``, the winners of the long searches in
-``data/searches.csv``, which ``python -m rlswaim.evidence.search`` prints.  A search that finds
-something proves that it exists; one that finds nothing has not found it within these bounds.
+The bounds stand in ``data/search_bounds.csv`` (two equal ones fix a parameter), the winners of the
+long searches in ``data/searches.csv``, which ``python -m rlswaim.evidence.search`` prints.  A search
+that finds something proves that it exists; one that finds nothing has not found it within these bounds.
 """
 
 from collections.abc import Iterator, Mapping
@@ -101,10 +101,12 @@ def search(
     rows = bounds(system)
     checks.one_of("objective", objective, tuple(OBJECTIVES), "search")
     pair = objective.startswith("pair")
-    sought = [name for name in rows if not (pair and name in ("K_A", "K_R"))]
+    fixed = {name for name, row in rows.items() if row["low"] == row["high"]}
+    sought = [name for name in rows if name not in fixed | ({"K_A", "K_R"} if pair else set())]
 
     def gains(u: NDArray) -> dict[str, NDArray]:
         chosen = {name: _spread(rows[name], x) for name, x in zip(sought, u, strict=True)}
+        chosen |= {name: _spread(rows[name], np.zeros(u.shape[1])) for name in fixed}
         return with_pair(eqs, chosen) if pair else chosen
 
     def cost(u: NDArray) -> NDArray:
@@ -154,11 +156,15 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
     counted, from the wired state space and from determinants, the slow root, its time constant.
     """
     rows = bounds(system)
-    columns = {"between": {f"{n} ({r['unit']})": f"{r['low']}, {r['high']}" for n, r in rows.items()}}
+    columns = {"between": {f"{n} ({r['unit']})": _between(r) for n, r in rows.items()}}
     for found in (w for w in winners() if w.system == system):
         gains = {f"{n} ({r['unit']})": f"{found.gains[n]:.5g}" for n, r in rows.items()}
         columns[OBJECTIVES[found.objective]] = gains | _judged(eqs, found)
     return columns
+
+
+def _between(row: Mapping[str, str]) -> str:
+    return f"{row['low']} to {row['high']}" if row["low"] != row["high"] else f"fixed: {row['low']}"
 
 
 def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
