@@ -156,11 +156,18 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
     counted, from the wired state space and from determinants, the slow root, its time constant.
     """
     rows = bounds(system)
-    columns = {"between": {f"{n} ({r['unit']})": _between(r) for n, r in rows.items()}}
+    columns = {"between": {_named(n, r): _between(r) for n, r in rows.items()}}
     for found in (w for w in winners() if w.system == system):
-        gains = {f"{n} ({r['unit']})": f"{found.gains[n]:.5g}" for n, r in rows.items()}
+        gains = {_named(n, r): f"{found.gains[n]:.5g}" for n, r in rows.items()}
         columns[OBJECTIVES[found.objective]] = gains | _judged(eqs, found)
     return columns
+
+
+def _named(name: str, row: Mapping[str, str]) -> str:
+    """Return a row's name and unit, a gain's name as formula."""
+    letter, _, index = name.partition("_")
+    unit = "" if row["unit"] == "1" else f" ({row['unit']})"
+    return (f"${letter}_{{{index}}}$" if letter in ("K", "kK") else name.replace("_", " ")) + unit
 
 
 def _between(row: Mapping[str, str]) -> str:
