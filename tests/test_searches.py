@@ -155,6 +155,12 @@ def test_one_sensor_is_ruled_out_where_the_proof_says_so(sensor, proved):
     assert (gains.slow_root_certificate(EQS, None, [float(sensor)], SLOW) > 1e-9) == proved
 
 
+def test_without_payload_surface_nothing_is_ruled_out():
+    eqs = rl.perturbation_equations(conclusions.surfaces_cut(rl.swaim_booster())["payload surface halved"])
+    assert gains.stability_certificate(eqs, 370.0).margin == np.inf
+    assert gains.slow_root_certificate(eqs, 370.0) == pytest.approx(0, abs=1e-9)
+
+
 def test_a_slow_root_that_may_be_fast_rules_nothing_out():
     """Without a bound on it the unstable root itself is the one set apart."""
     assert gains.slow_root_certificate(EQS, 60.0, slow=2.0) == pytest.approx(0, abs=1e-9)
@@ -241,8 +247,7 @@ def test_the_equation_along_x_leaves_the_divergence():
 
 def test_half_the_payload_surface_lets_rate_and_attitude_feedback_work():
     cut = conclusions.surfaces_cut(rl.swaim_booster())
-    found = {
-        name: search.search(rl.perturbation_equations(cut[name]), "rate_attitude", "all", rounds=150).abscissa
-        for name in ("payload surface halved", "no fins")
-    }
-    assert found["payload surface halved"] < 0 < found["no fins"]
+    halved, finless = (conclusions.steered(cut[name], 150) for name in ("payload surface halved", "no fins"))
+    assert halved.abscissa < 0 < halved.ruled_out < halved.stations
+    assert finless.ruled_out == finless.stations
+    assert np.isnan(finless.abscissa)

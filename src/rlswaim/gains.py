@@ -93,7 +93,8 @@ class Certificate(NamedTuple):
 
     ``margin`` is the largest t for which some gains make every coefficient at least t;
     when it is not positive, no gains give stability.  ``weights`` (one for each of s^0 to
-    s^7, sum 1) combine the coefficients so that all gains cancel and ``margin`` is left.
+    s^7, sum 1) combine the coefficients so that all gains cancel and ``margin`` is left; where
+    none do, it is infinite and they are zero.
     """
 
     margin: float
@@ -128,6 +129,8 @@ def stability_certificate(
     )
     balance = np.vstack([*terms, np.ones(8)])
     found = linprog(free, A_eq=balance, b_eq=np.r_[np.zeros(len(terms)), 1.0], bounds=(0, None))
+    if found.x is None:  # no weights cancel the gains, so that they make t as large as they like
+        return Certificate(np.inf, np.zeros(8))
     return Certificate(float(found.fun), found.x)
 
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_continuous_lyapunov
 
 from rlswaim.evidence import closing
-from rlswaim.evidence.search import slow_bound
+from rlswaim.evidence.search import search, slow_bound
+from rlswaim.gains import slow_root_certificate
 from rlswaim.perturbation import PerturbationEquations, perturbation_equations
 from rlswaim.polynomials import roots
 from rlswaim.rigid_body import rigid_body, rigid_design
@@ -110,6 +111,35 @@ def cures(booster: Booster) -> Mapping[str, float]:
         "both frequencies five times": stiffened(booster, 5.0),
     }
     return {name: unstable_root(case) for name, case in cases.items()}
+
+
+class Steered(NamedTuple):
+    """A vehicle with rate and attitude feedback to the thrust alone, a slow real root set apart.
+
+    Its unstable root without control (1/s); the number of gyro stations, and of those at which no
+    gains stabilize; and the least abscissa (1/s) that a search finds, nan where all are ruled out.
+    """
+
+    unstable: float
+    stations: int
+    ruled_out: int
+    abscissa: float
+
+
+def steered(booster: Booster, rounds: int = 400) -> Steered:
+    """Return whether rate and attitude feedback can stabilize a vehicle [recommendation 1].
+
+    Parameters
+    ----------
+    booster : Booster
+    rounds : int
+        Generations of the search.
+    """
+    eqs, stations = perturbation_equations(booster), range(0, 421, 5)
+    ruled = sum(slow_root_certificate(eqs, float(x), slow=slow_bound()) > 1e-6 for x in stations)
+    open_to_search = ruled < len(stations)
+    best = search(eqs, "rate_attitude", "apart", rounds=rounds).abscissa if open_to_search else float("nan")
+    return Steered(unstable_root(booster), len(stations), ruled, best)
 
 
 class Damped(NamedTuple):

@@ -147,7 +147,7 @@ def borne(eqs: PerturbationEquations, booster: Booster, gains: Mapping[str, floa
         less = f"down to {bears.lower:.2f}" if bears.lower else "any less"
         more = f"up to {bears.upper:.2f}" if np.isfinite(bears.upper) else "any more"
         rows[f"factor on the gain of the {name} loop"] = f"{less}, {more}"
-        rows[f"delay in the {name} loop (s)"] = f"{bears.delay:.3f}"
+        rows[f"delay in the {name} loop (s)"] = f"{bears.delay:.2g}"
     return rows
 
 
