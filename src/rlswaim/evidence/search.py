@@ -166,8 +166,9 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
 def _named(name: str, row: Mapping[str, str]) -> str:
     """Return a row's name and unit, a gain's name as formula."""
     letter, _, index = name.partition("_")
+    words = f"${letter}_{{{index}}}$" if letter in ("K", "kK") else name.replace("_", " ")
     unit = "" if row["unit"] == "1" else f" ({row['unit']})"
-    return (f"${letter}_{{{index}}}$" if letter in ("K", "kK") else name.replace("_", " ")) + unit
+    return ("$b$" if name == "b" else words) + unit
 
 
 def _between(row: Mapping[str, str]) -> str:
