@@ -14,7 +14,7 @@ PAGES := $(shell find book \( -path book/widgets -o -path book/extensions \) -pr
 FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc')
 
-.PHONY: help serve book test fuzz bench test-oldest test-newest lint notebooks widgets lock clean
+.PHONY: help serve book test fuzz bench searches test-oldest test-newest lint notebooks widgets lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -36,6 +36,11 @@ bench: $(INSTALLED) ## time root loci beside other tools, and write the page of 
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest benchmarks -o addopts= -p no:cacheprovider \
 	  -q --benchmark-quiet --benchmark-json=_build/benchmarks.json
 	$(BIN)/python benchmarks/table.py _build/benchmarks.json book/11-speed.md
+
+searches: $(INSTALLED) ## search all gains within the bounds again, some minutes, and store the best in data/searches.csv
+	@mkdir -p _build
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.evidence.search > _build/searches.csv
+	mv _build/searches.csv src/rlswaim/data/searches.csv
 
 test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest
 	$(call elsewhere,.oldest,--resolution lowest-direct)

@@ -119,28 +119,13 @@ def test_row(entry):
     assert np.isfinite(entry.computed)
 
 
-@pytest.mark.parametrize("system", ["dual_actuation", "single_sensor"])
 @pytest.mark.parametrize("eqs", [EQS, rl.perturbation_equations(rl.swaim_booster())], ids=["printed", "data"])
-def test_found_gains_hold_two_ways(eqs, system):
-    poles = conclusions.closed_loop(eqs, system).poles()
-    assert worst(poles, roots(conclusions.polynomial(eqs, system))) < 1e-6
+def test_found_gains_hold_two_ways(eqs):
+    poles = conclusions.closed_loop(eqs, "dual_actuation").poles()
+    assert worst(poles, roots(conclusions.polynomial(eqs, "dual_actuation"))) < 1e-6
     state = conclusions.margin(poles)
     assert state.abscissa < -0.15
-    assert abs(state.slow) < 2e-3
-    if system == "dual_actuation":
-        assert state.slow < 0
-
-
-def test_a_short_search_finds_gains_again():
-    found = conclusions.search_single_sensor(EQS, rounds=60)
-    assert found.pop("abscissa") < 0
-    poles = rl.single_sensor(EQS, **found).poles()
-    assert conclusions.margin(poles).abscissa < 0
-
-
-@pytest.mark.parametrize("gyro", [None, 0.0, 60.0, 304.0, 400.0, 420.0])
-def test_rate_and_attitude_feedback_stabilizes_at_no_gain(gyro):
-    assert conclusions.sign_margin(EQS, gyro) <= 1e-9
+    assert -2e-3 < state.slow < 0
 
 
 def test_an_odd_pole_right_of_the_zero():

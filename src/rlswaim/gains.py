@@ -93,7 +93,8 @@ class Certificate(NamedTuple):
 
     ``margin`` is the largest t for which some gains make every coefficient at least t;
     when it is not positive, no gains give stability.  ``weights`` (one for each of s^0 to
-    s^7, sum 1) combine the coefficients so that all gains cancel and ``margin`` is left.
+    s^7, sum 1) combine the coefficients so that all gains cancel and ``margin`` is left; where
+    none do, it is infinite and they are zero.
     """
 
     margin: float
@@ -128,4 +129,48 @@ def stability_certificate(
     )
     balance = np.vstack([*terms, np.ones(8)])
     found = linprog(free, A_eq=balance, b_eq=np.r_[np.zeros(len(terms)), 1.0], bounds=(0, None))
+    if found.x is None:  # no weights cancel the gains, so that they make t as large as they like
+        return Certificate(np.inf, np.zeros(8))
     return Certificate(float(found.fun), found.x)
+
+
+def slow_root_certificate(
+    eqs: PerturbationEquations, gyro: float | None, sensors: Sequence[float] = (), slow: float = 0.0
+) -> float:
+    """Return how far all gains fail to leave nothing but one slow real root right of the axis.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gyro : float or None
+        Station of the gyro package (ft); None feeds back the rigid-body angle alone.
+    sensors : sequence of float
+        Stations of the linear sensors (ft).
+    slow : float
+        The real root that is set apart lies between -slow and slow (1/s).
+
+    Returns
+    -------
+    float
+        When positive, no gains of any sign put all other roots left of the axis; 0 decides nothing.
+
+    Notes
+    -----
+    With the slow root r divided out, q remains: p_k = q_(k-1) - r q_k, so that p_k differs from
+    q_(k-1) by at most slow q_k, and a stable q has positive coefficients.  The program seeks
+    gains and a q without a negative coefficient, and returns the least excess over these bounds.
+    """
+    free, *terms = (
+        p[:8] for p in gain_terms(eqs, gyro, [checks.station("sensor", x) for x in sensors]).values()
+    )
+    shifted, own = np.eye(8, 8, -1), slow * np.eye(8)
+    # The unknowns are the gains, q_0 to q_7 (which is 1, as p is monic) and the excess.
+    moved, excess = np.array(terms).T, np.ones((8, 1))
+    sides = [[moved, -shifted - own, -excess], [-moved, shifted - own, -excess]]
+    found = linprog(
+        np.r_[np.zeros(len(terms) + 8), 1.0],
+        A_ub=np.block(sides),
+        b_ub=np.r_[-free, free],
+        bounds=[(None, None)] * len(terms) + [(0, None)] * 7 + [(1, 1), (0, None)],
+    )
+    return float(found.fun)

@@ -7,23 +7,17 @@ from typing import NamedTuple
 
 import control
 import numpy as np
-from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
-from scipy.optimize import differential_evolution, linprog
+from scipy.linalg import solve_continuous_lyapunov
 
-from rlswaim import systems
-from rlswaim.dual import JetLoop, closed_1, theta_numerator
-from rlswaim.gains import gain_terms
-from rlswaim.loops import denominator
+from rlswaim.evidence import closing
+from rlswaim.evidence.search import search, slow_bound
+from rlswaim.gains import slow_root_certificate
 from rlswaim.perturbation import PerturbationEquations, perturbation_equations
 from rlswaim.polynomials import roots
-from rlswaim.tables import read_table
+from rlswaim.rigid_body import rigid_body, rigid_design
+from rlswaim.tables import constants, read_table
 from rlswaim.vehicle import Booster
-
-SLOW = 0.02
-"""Below this size (1/s) a real root is set apart as slow: its time constant is over 50 s."""
-BOUNDS = ((-1, 2), (-20, 20), (-5, 5), (-6, 6), (0, 420))
-"""Of the search: log10 K_C, K_A, K_R (s), arcsinh K_z, station of the sensor (ft)."""
 
 
 class Margin(NamedTuple):
@@ -36,84 +30,24 @@ class Margin(NamedTuple):
 def margin(poles: NDArray) -> Margin:
     """Return how stable a closed loop is, a slow real root set apart; poles in 1/s, shape (n,)."""
     at = int(np.argmin(np.abs(poles)))
-    if abs(poles[at].imag) > 0 or abs(poles[at]) > SLOW:
+    if abs(poles[at].imag) > 0 or abs(poles[at]) > slow_bound():
         return Margin(float(poles.real.max()), float("nan"))
     return Margin(float(np.delete(poles, at).real.max()), float(poles[at].real))
 
 
 def found_gains(system: str) -> dict[str, float]:
-    """Return the found gains and stations of a ``system``, ``dual_actuation`` or ``single_sensor``."""
+    """Return the gains and stations of a ``system`` (``dual_actuation``) that were found by hand."""
     return {r["parameter"]: float(r["value"]) for r in read_table("gains_found") if r["system"] == system}
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
-    """Return the closed loop of a ``system`` with the found gains, as state space."""
-    return getattr(systems, system)(eqs, **found_gains(system))
+    """Return the closed loop of a ``system`` with the gains found by hand, as state space."""
+    return closing.closed_loop(eqs, system, found_gains(system))
 
 
 def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
     """Return the characteristic polynomial of the same ``system`` from determinants, constant term first."""
-    g = found_gains(system)
-    if system == "single_sensor":
-        top = eqs.numerator("theta", "delta")
-        return npp.polyadd(
-            denominator(eqs, g["K_C"], [(g["K_z"], g["sensor"])]),
-            g["K_C"] * g["K_A"] * npp.polymul([1.0, g["K_R"]], top),
-        )
-    loop = JetLoop(g["K_r"], g["b"], g["sensor"], g["jet"])
-    bottom = npp.polymul([g["K_C"], 1.0], closed_1(eqs, loop, g["kK_z"]))
-    top = npp.polymul([1.0, g["K_R"]], theta_numerator(eqs, loop, g["kK_z"]))
-    return npp.polyadd(bottom, g["K_C"] * g["K_A"] * top)
-
-
-def search_single_sensor(eqs: PerturbationEquations, seed: int = 1964, rounds: int = 200) -> dict[str, float]:
-    """Return gains and station of Section V's loop with the least abscissa found within `BOUNDS`.
-
-    Parameters
-    ----------
-    eqs : PerturbationEquations
-    seed : int
-        Of the differential evolution.
-    rounds : int
-        Its generations, of 100 loops each.
-
-    Returns
-    -------
-    dict
-        K_C, K_A, K_R, K_z, sensor, and the abscissa (1/s) of all roots but a slow real one.
-    """
-    fixed = gain_terms(eqs, None, ())
-    base, at_K_C, at_x, at_y = fixed.values()
-    stations = np.arange(421.0)
-    sensing = np.array([list(gain_terms(eqs, None, [x]).values())[-1] for x in stations])
-
-    def chosen(x: NDArray) -> dict[str, float]:
-        gains = {"K_C": 10 ** x[0], "K_A": x[1], "K_R": x[2], "K_z": np.sinh(x[3])}
-        return {name: float(v) for name, v in gains.items()} | {"sensor": float(round(x[4]))}
-
-    def abscissa(x: NDArray) -> float:
-        g = chosen(x)
-        moved = at_K_C + g["K_A"] * (at_x + g["K_R"] * at_y) + g["K_z"] * sensing[int(g["sensor"])]
-        return margin(roots(base + g["K_C"] * moved)).abscissa
-
-    best = differential_evolution(
-        abscissa, BOUNDS, seed=seed, popsize=20, maxiter=rounds, tol=0, polish=False
-    )
-    return chosen(best.x) | {"abscissa": float(best.fun)}
-
-
-def sign_margin(eqs: PerturbationEquations, gyro: float | None) -> float:
-    """Return the largest t for which some gains make all coefficients but the constant at least t (scaled).
-
-    With K_C at least 0; at most 0 means that no gains stabilize Section IV's loop, a slow root set apart.
-    """
-    terms = np.array(list(gain_terms(eqs, gyro).values()))[:, 1:]
-    rows = (terms / np.abs(terms).max(axis=0)).T
-    limits = [(0, 1), (0, 1), (-1, 1), (-1, 1), (None, 1)]
-    sought = linprog(
-        [0, 0, 0, 0, -1], np.column_stack([-rows, np.ones(len(rows))]), np.zeros(len(rows)), bounds=limits
-    )
-    return float(sought.x[-1])
+    return closing.determinants(eqs, system, found_gains(system))
 
 
 def interlacing(eqs: PerturbationEquations) -> tuple[float, float]:
@@ -143,30 +77,129 @@ def unstable_root(booster: Booster) -> float:
     return float(roots(perturbation_equations(booster).characteristic_polynomial()).real.max())
 
 
+def stiffened(booster: Booster, factor: float) -> Booster:
+    """Return the vehicle with both free-free frequencies multiplied by a ``factor``."""
+    return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
+
+
+def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
+    """Return the vehicle with the lift of ``payload`` surface and ``fins`` multiplied by these factors."""
+    pairs = zip(booster.surfaces, (payload, fins), strict=True)
+    return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
+
+
+def surfaces_cut(booster: Booster) -> Mapping[str, Booster]:
+    """Return the vehicle with its lifting surfaces cut down one way at a time [recommendation 1]."""
+    return {
+        "payload surface halved": resurfaced(booster, 0.5, 1.0),
+        "no payload surface": resurfaced(booster, 0.0, 1.0),
+        "fins halved": resurfaced(booster, 1.0, 0.5),
+        "no fins": resurfaced(booster, 1.0, 0.0),
+        "no surface at all": resurfaced(booster, 0.0, 0.0),
+    }
+
+
 def cures(booster: Booster) -> Mapping[str, float]:
     """Return the unstable root (1/s) of the vehicle varied one way at a time [conclusion 2]."""
-    payload, fins = booster.surfaces
-
-    def scaled(of_payload: float, of_fins: float) -> Booster:
-        pair = ((payload, of_payload), (fins, of_fins))
-        return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pair))
-
-    def stiffer(factor: float) -> Booster:
-        return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
-
     cases = {
         "as it is": booster,
         "no air (q_D = 0)": replace(booster, flight=replace(booster.flight, q_D=0.0)),
         "no thrust": replace(booster, T=0.0),
-        "payload surface halved": scaled(0.5, 1.0),
-        "no payload surface": scaled(0.0, 1.0),
-        "fins halved": scaled(1.0, 0.5),
-        "fins doubled": scaled(1.0, 2.0),
-        "no fins": scaled(1.0, 0.0),
-        "both frequencies doubled": stiffer(2.0),
-        "both frequencies five times": stiffer(5.0),
+        **surfaces_cut(booster),
+        "fins doubled": resurfaced(booster, 1.0, 2.0),
+        "both frequencies doubled": stiffened(booster, 2.0),
+        "both frequencies five times": stiffened(booster, 5.0),
     }
     return {name: unstable_root(case) for name, case in cases.items()}
+
+
+class Steered(NamedTuple):
+    """A vehicle with rate and attitude feedback to the thrust alone, a slow real root set apart.
+
+    Its unstable root without control (1/s); the number of gyro stations, and of those at which no
+    gains stabilize; and the least abscissa (1/s) that a search finds, nan where all are ruled out.
+    """
+
+    unstable: float
+    stations: int
+    ruled_out: int
+    abscissa: float
+
+
+def steered(booster: Booster, rounds: int = 400) -> Steered:
+    """Return whether rate and attitude feedback can stabilize a vehicle [recommendation 1].
+
+    Parameters
+    ----------
+    booster : Booster
+    rounds : int
+        Generations of the search.
+    """
+    eqs, stations = perturbation_equations(booster), range(0, 421, 5)
+    ruled = sum(slow_root_certificate(eqs, float(x), slow=slow_bound()) > 1e-6 for x in stations)
+    open_to_search = ruled < len(stations)
+    best = search(eqs, "rate_attitude", "apart", rounds=rounds).abscissa if open_to_search else float("nan")
+    return Steered(unstable_root(booster), len(stations), ruled, best)
+
+
+class Damped(NamedTuple):
+    """A gust on the stiffened vehicle, its attitude loop closed and the jet damping its modes.
+
+    ``zeta`` is the damping ratio of the first mode; the rest are root mean squares for white
+    noise of unit intensity in alpha_g (rad): of q_1 and q_2 (ft), delta (rad) and the jet (lb).
+    """
+
+    kK_z: float
+    zeta: float
+    q1: float
+    q2: float
+    delta: float
+    jet: float
+
+
+def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
+    """Return what damping the modes does to the response to gusts with little interaction [conclusion 6].
+
+    Parameters
+    ----------
+    booster : Booster
+    kK_z : float
+        Gain of the jet's loop (lb s/ft); its other constants are those of `found_gains`.
+    factor : float
+        Of both frequencies; the attitude loop is designed for the rigid body, as in Section IV.
+    """
+    stiff = stiffened(booster, factor)
+    eqs = perturbation_equations(stiff)
+    design = rigid_design(rigid_body(eqs), omega=abs(closing.WANTED), zeta=0.5, K_C=10)
+    chosen = found_gains("dual_actuation") | {"kK_z": kK_z, "K_A": design.K_A, "K_R": design.K_R}
+    loop = closing.closed_loop(eqs, "dual_actuation", chosen)
+    gust = loop.B[:, [loop.input_labels.index("alpha_g")]]
+    covariance = loop.C @ solve_continuous_lyapunov(loop.A, -gust @ gust.T) @ loop.C.T
+    rms = dict(zip(loop.output_labels, np.sqrt(np.diag(covariance)), strict=True))
+    pole = min(loop.poles(), key=lambda p: abs(p - 1j * stiff.modes[0].omega))
+    zeta, names = float(-pole.real / abs(pole)), ("q1", "q2", "delta", "delta_r")
+    return Damped(kK_z, zeta, *(float(rms[name]) for name in names))
+
+
+def with_longitudinal(eqs: PerturbationEquations, alpha_0: float) -> float:
+    """Return the unstable root (1/s) with the equation along x added [recommendation 4].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    alpha_0 : float
+        Steady angle of attack (rad); 0 on the report's ballistic path.
+
+    Notes
+    -----
+    Ours, not the report's.  In body axes, u the change of speed along x, drag left out:
+    u' = -U alpha_0 theta' - g theta; and u changes each aerodynamic force of the steady
+    alpha_0 by 2 u/U of itself, which is the column of alpha times 2 alpha_0 u/U.
+    """
+    A = np.pad(eqs.state_space().A, ((0, 1), (0, 1)))
+    A[:7, 7] = 2 * alpha_0 / eqs.U * A[:7, 0]
+    A[7, 1], A[7, 2] = -constants("vehicle")["g"], -eqs.U * alpha_0
+    return float(np.linalg.eigvals(A).real.max())
 
 
 def full_state_feedback(eqs: PerturbationEquations) -> NDArray:

@@ -1,0 +1,253 @@
+"""Searches over all gains: the machinery, the stored winners, and the proofs they may not contradict."""
+
+from functools import cache
+
+import control
+import mpmath
+import numpy as np
+import pytest
+
+import rlswaim as rl
+from exact import exact_roots, paired
+from rlswaim import gains, rigid_body
+from rlswaim.evidence import closing, conclusions, robustness, search
+from rlswaim.polynomials import exact_characteristic_polynomial, roots
+from systems import polynomial_at
+
+EQS = rl.printed_equations()
+OWN = rl.perturbation_equations(rl.swaim_booster())
+WINNERS = search.winners()
+IDS = [f"{w.system}-{w.objective}" for w in WINNERS]
+SLOW = search.slow_bound()
+
+
+def sampled(system, n=6):
+    """Return gains of a system spread over its bounds."""
+    u = np.random.default_rng(1964).random((len(search.bounds(system)), n))
+    return {
+        name: search._spread(row, x) for (name, row), x in zip(search.bounds(system).items(), u, strict=True)
+    }
+
+
+def one(sampled_gains, i):
+    return {name: float(values[i]) for name, values in sampled_gains.items()}
+
+
+@cache
+def exact_poles(at):
+    """Return the poles of a winner's wired state space: exact arithmetic, 60 digits, then rounded."""
+    A = closing.closed_loop(EQS, WINNERS[at].system, WINNERS[at].gains).A
+    with mpmath.workdps(60):
+        p = [mpmath.mpf(c.numerator) / c.denominator for c in exact_characteristic_polynomial(A)]
+    found = exact_roots(p)
+    return np.where(np.abs(found.imag) < 1e-12, found.real, found)
+
+
+# ---- the machinery
+
+
+@pytest.mark.parametrize("system", closing.LOOPS)
+def test_matrices_are_those_of_the_wired_loops(system):
+    g = sampled(system)
+    for i, A in enumerate(closing.state_matrices(EQS, g)):
+        p = [float(c) for c in exact_characteristic_polynomial(closing.closed_loop(EQS, system, one(g, i)).A)]
+        q = [float(c) for c in exact_characteristic_polynomial(A)]
+        np.testing.assert_allclose(q, p, rtol=1e-9, atol=1e-11 * np.abs(p).max())
+
+
+@pytest.mark.parametrize("system", closing.LOOPS)
+def test_a_wanted_pair_is_held(system):
+    g = closing.with_pair(EQS, sampled(system))
+    for i in range(6):
+        assert polynomial_at(closing.determinants(EQS, system, one(g, i)), closing.WANTED) < 1e-11
+
+
+def test_a_wanted_pair_takes_the_gains_that_the_coefficients_give():
+    g = closing.with_pair(EQS, {"K_C": np.array([10.0]), "gyro": np.array([60.0])})
+    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(gains.gains_for_pole(EQS, closing.WANTED, 10.0, 60.0))
+
+
+@pytest.mark.parametrize(
+    ("poles", "apart", "wanted"),
+    [
+        ([-1, SLOW / 2, -3], True, -1),
+        ([-1, SLOW / 2, -3], False, SLOW / 2),
+        ([-1, 2 * SLOW, -3], True, 2 * SLOW),
+        ([-1, 1e-3 + 1e-3j, 1e-3 - 1e-3j], True, 1e-3),
+        ([0, SLOW / 2, -1], True, SLOW / 2),
+    ],
+    ids=["slow", "counted", "too fast", "a pair", "only one"],
+)
+def test_one_slow_real_root_is_set_apart(poles, apart, wanted):
+    assert search.abscissas(np.array([poles], complex), apart)[0] == wanted
+
+
+def test_spread_covers_the_bounds():
+    for system in closing.LOOPS:
+        for row in search.bounds(system).values():
+            ends = search._spread(row, np.array([0.0, 1.0]))
+            np.testing.assert_allclose(ends, [float(row["low"]), float(row["high"])], rtol=1e-9)
+
+
+@pytest.mark.parametrize(("system", "objective"), [("section_4", "all"), ("single_sensor", "best")])
+def test_an_unknown_name_is_told(system, objective):
+    with pytest.raises(ValueError, match=r"search: got '.*', wanted one of"):
+        search.search(EQS, system, objective)
+
+
+# ---- the stored winners
+
+
+def test_every_system_has_every_objective():
+    assert [(w.system, w.objective) for w in WINNERS] == [
+        (s, o) for s in closing.LOOPS for o in search.OBJECTIVES
+    ]
+
+
+@pytest.mark.parametrize("winner", WINNERS, ids=IDS)
+def test_winner_lies_within_its_bounds(winner):
+    for name, row in search.bounds(winner.system).items():
+        assert float(row["low"]) <= winner.gains[name] <= float(row["high"])
+
+
+@pytest.mark.parametrize("at", range(len(WINNERS)), ids=IDS)
+def test_winner_holds_two_ways(at):
+    """The wired state space, in exact arithmetic, and the determinants, in floats: the same roots."""
+    winner, state = WINNERS[at], exact_poles(at)
+    other = roots(closing.determinants(EQS, winner.system, winner.gains))
+    assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
+    value = search.abscissas(state[None], winner.objective.endswith("apart"))[0]
+    assert value == pytest.approx(winner.abscissa, abs=1e-4)
+    if winner.objective.startswith("pair"):
+        assert np.abs(state - closing.WANTED).min() < 1e-3
+
+
+@pytest.mark.parametrize("winner", WINNERS, ids=IDS)
+def test_a_short_search_repeats_itself_and_does_not_beat_the_long_one(winner):
+    first, again = (search.search(EQS, winner.system, winner.objective, rounds=15) for _ in range(2))
+    assert first == again
+    assert first.abscissa >= winner.abscissa - 1e-3
+
+
+# ---- proofs and searches
+
+
+@pytest.mark.parametrize("winner", WINNERS, ids=IDS)
+def test_winner_contradicts_no_proof(winner):
+    if "jet" in winner.gains:
+        assert winner.abscissa < 0
+        return
+    sensors = [winner.gains[n] for n in ("sensor", "sensor_a", "sensor_b") if n in winner.gains]
+    gyro, slow = winner.gains.get("gyro"), SLOW if winner.objective.endswith("apart") else 0.0
+    apart = gains.slow_root_certificate(EQS, gyro, sensors, slow)
+    proved = apart > 1e-9 or (not slow and gains.stability_certificate(EQS, gyro, sensors).margin <= 0)
+    assert proved == (winner.abscissa > 0)
+
+
+@pytest.mark.parametrize("eqs", [EQS, OWN], ids=["printed", "data"])
+@pytest.mark.parametrize("gyro", [None, 0.0, 60.0, 304.0, 400.0, 420.0])
+def test_rate_and_attitude_feedback_leaves_more_than_a_slow_root(eqs, gyro):
+    assert gains.slow_root_certificate(eqs, gyro, slow=SLOW) > 1
+
+
+@pytest.mark.parametrize(("sensor", "proved"), [(140, True), (207, True), (25, False), (229, False)])
+def test_one_sensor_is_ruled_out_where_the_proof_says_so(sensor, proved):
+    assert (gains.slow_root_certificate(EQS, None, [float(sensor)], SLOW) > 1e-9) == proved
+
+
+def test_without_payload_surface_nothing_is_ruled_out():
+    eqs = rl.perturbation_equations(conclusions.surfaces_cut(rl.swaim_booster())["payload surface halved"])
+    assert gains.stability_certificate(eqs, 370.0).margin == np.inf
+    assert gains.slow_root_certificate(eqs, 370.0) == pytest.approx(0, abs=1e-9)
+
+
+def test_a_slow_root_that_may_be_fast_rules_nothing_out():
+    """Without a bound on it the unstable root itself is the one set apart."""
+    assert gains.slow_root_certificate(EQS, 60.0, slow=2.0) == pytest.approx(0, abs=1e-9)
+
+
+# ---- what the loops of Section VII bear
+
+BY_HAND = conclusions.found_gains("dual_actuation")
+MODEST = next(w.gains for w in WINNERS if (w.system, w.objective) == ("modest_jet", "pair-all"))
+
+
+def delayed(gains_, actuator, seconds):
+    """Return the largest real part with a delay in front of an actuator, as a Pade quotient of order 5."""
+    A, at = robustness._matrix(EQS, gains_), robustness.ACTUATORS[actuator]
+    num, den = control.pade(seconds, 5)
+    lag = control.ss(control.tf(num, den))
+    opened, push = A.copy(), np.zeros((9, 1))
+    opened[at, :7], push[at] = 0, 1
+    loop = control.ss(opened, push, np.r_[A[at, :7], 0, 0][None], 0)
+    return control.feedback(loop * lag, 1, sign=1).poles().real.max()
+
+
+@pytest.mark.parametrize("chosen", [BY_HAND, MODEST], ids=["by hand", "modest jet"])
+@pytest.mark.parametrize("actuator", robustness.ACTUATORS)
+def test_margins_are_where_the_loop_fails(chosen, actuator):
+    found = robustness.margins(EQS, chosen, actuator)
+    assert delayed(chosen, actuator, 0.99 * found.delay) < 0 < delayed(chosen, actuator, 1.01 * found.delay)
+    A, at = robustness._matrix(EQS, chosen), robustness.ACTUATORS[actuator]
+    for factor, stable in (
+        (found.lower * 0.99, False),
+        (found.lower * 1.01, True),
+        (found.upper * 0.99, True),
+    ):
+        if factor and np.isfinite(factor):
+            scaled = A.copy()
+            scaled[at, :7] *= factor
+            assert (np.linalg.eigvals(scaled).real.max() < 0) == stable
+
+
+def test_margins_want_a_stable_loop():
+    with pytest.raises(ValueError, match=r"gains in margins: got a loop with a root at 1\.26 1/s"):
+        robustness.margins(EQS, BY_HAND | {"kK_z": 0.0, "K_A": 1.0}, "jet")
+
+
+def test_shapes_that_are_right_leave_the_poles():
+    poles = np.linalg.eigvals(robustness._matrix(EQS, BY_HAND))
+    for other in (
+        *robustness.misread(EQS, BY_HAND, 0.0),
+        *robustness.reshaped(rl.swaim_booster(), BY_HAND, 0.0),
+    ):
+        assert np.abs(np.sort_complex(other) - np.sort_complex(poles)).max() < 0.1
+    same = robustness.misread(EQS, BY_HAND, 0.0)[0]
+    assert np.abs(same - paired(same, poles)).max() < 1e-9
+
+
+# ---- Section VIII
+
+
+def test_the_jet_halves_the_bending_where_there_is_little_interaction():
+    free, held = (conclusions.damped(rl.swaim_booster(), kK_z) for kK_z in (0.0, 3e4))
+    assert free.jet == 0
+    assert held.zeta > 2.5 * free.zeta
+    assert held.q1 < 0.55 * free.q1
+
+
+def test_gust_response_is_the_area_under_the_frequency_response():
+    found = conclusions.damped(rl.swaim_booster(), 3e4)
+    stiff = conclusions.stiffened(rl.swaim_booster(), 5.0)
+    eqs = rl.perturbation_equations(stiff)
+    design = rigid_body.rigid_design(rigid_body.rigid_body(eqs), omega=2.0, zeta=0.5, K_C=10)
+    loop = rl.dual_actuation(eqs, **BY_HAND | {"kK_z": 3e4, "K_A": design.K_A, "K_R": design.K_R})
+    w = np.linspace(0, 100, 25_001)
+    response = loop[loop.find_output("q1"), loop.find_input("alpha_g")](1j * w)
+    assert np.sqrt(np.trapezoid(np.abs(response) ** 2, w) / np.pi) == pytest.approx(found.q1, rel=1e-3)
+
+
+def test_the_equation_along_x_leaves_the_divergence():
+    assert conclusions.with_longitudinal(EQS, 0.0) == pytest.approx(
+        max(roots(EQS.characteristic_polynomial()).real)
+    )
+    moved = conclusions.with_longitudinal(EQS, np.radians(5)) - conclusions.with_longitudinal(EQS, 0.0)
+    assert 1e-3 < abs(moved) < 0.01
+
+
+def test_half_the_payload_surface_lets_rate_and_attitude_feedback_work():
+    cut = conclusions.surfaces_cut(rl.swaim_booster())
+    halved, finless = (conclusions.steered(cut[name], 150) for name in ("payload surface halved", "no fins"))
+    assert halved.abscissa < 0 < halved.ruled_out < halved.stations
+    assert finless.ruled_out == finless.stations
+    assert np.isnan(finless.abscissa)
