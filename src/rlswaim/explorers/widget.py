@@ -22,7 +22,10 @@ from rlswaim.explorers.multiaffine import MultiAffine
 from rlswaim.tables import script
 
 Value = float | int | str
-SOURCES = ("roots", "locus", "picture", "explorer")
+SOURCES = (
+    "roots", "locus", "response", "modes", "window", "dom", "svg", "picture", "planes", "charts", "bent", "table",
+    "words", "history", "address", "export", "interact", "desk", "locusplane", "panels", "explorer",
+)
 
 
 def module() -> str:
