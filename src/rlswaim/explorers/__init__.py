@@ -1,7 +1,22 @@
 """Live views: Python owns the physics, the browser evaluates the polynomials that Python sends."""
 
-from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_form
-from rlswaim.explorers.rate_attitude import rate_attitude_explorer
+from rlswaim.explorers.control_systems import (
+    dual_actuation_explorer,
+    rate_attitude_explorer,
+    single_sensor_explorer,
+    two_sensor_explorer,
+)
+from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_forms
+from rlswaim.explorers.presets import designs
 from rlswaim.explorers.widget import Explorer
 
-__all__ = ["Explorer", "MultiAffine", "multiaffine_form", "rate_attitude_explorer"]
+__all__ = [
+    "Explorer",
+    "MultiAffine",
+    "designs",
+    "dual_actuation_explorer",
+    "multiaffine_forms",
+    "rate_attitude_explorer",
+    "single_sensor_explorer",
+    "two_sensor_explorer",
+]

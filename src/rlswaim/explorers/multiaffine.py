@@ -1,12 +1,14 @@
-"""The exact multi-affine form of a closed loop's characteristic polynomial.
+"""The exact multi-affine forms of a closed loop: characteristic polynomial and numerators.
 
-Each gain, actuator pole and mode-shape value enters a control system's
-characteristic polynomial at most once in a product.  So the polynomial is a sum
-of terms (product of some factors) x (fixed polynomial), and its values at the
-corners of the factor cube, every factor 0 or 1, fix all of them.
+Each gain, actuator pole and mode-shape value enters a closed loop at most once
+in a product.  So its matrices are sums of terms (product of some factors) x
+(fixed matrix), and their values at corners of the factor cube, every factor 0
+or 1, fix all of them.  The determinant and the cofactors of s I - A follow by
+Laplace's expansion in whole numbers, so that nothing is rounded on the way.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations
@@ -20,9 +22,10 @@ from numpy.typing import NDArray
 from rlswaim import checks
 from rlswaim.modes import BendingMode
 from rlswaim.perturbation import PerturbationEquations
-from rlswaim.polynomials import exact_characteristic_polynomial
 
 Subset = frozenset[str]
+Polynomials = dict[Subset, list[int]]
+"""Terms by their factors: whole coefficients, constant term first."""
 
 
 class Term(NamedTuple):
@@ -34,7 +37,7 @@ class Term(NamedTuple):
 
 @dataclass(frozen=True)
 class MultiAffine:
-    """A characteristic polynomial as a sum of products of factors with fixed polynomials."""
+    """A polynomial as a sum of products of factors with fixed polynomials."""
 
     factors: tuple[str, ...]
     terms: tuple[Term, ...]
@@ -53,10 +56,19 @@ class MultiAffine:
                 f"MultiAffine: got a missing or unknown factor {wrong[0]!r}, wanted {', '.join(self.factors)}"
             )
         given = {name: checks.real(name, value, "MultiAffine") for name, value in values.items()}
-        return sum(
-            (prod(given[f] for f in term.factors) * np.array(term.coefficients) for term in self.terms),
-            start=np.zeros(len(self.terms[0].coefficients)),
-        )
+        total = np.zeros(max((len(term.coefficients) for term in self.terms), default=1))
+        for term in self.terms:
+            total[: len(term.coefficients)] += prod(given[f] for f in term.factors) * np.array(
+                term.coefficients
+            )
+        return total
+
+
+class Forms(NamedTuple):
+    """A closed loop: its characteristic polynomial, and its numerators by input and output."""
+
+    polynomial: MultiAffine
+    numerators: dict[str, dict[str, MultiAffine]]
 
 
 @dataclass(frozen=True)
@@ -97,46 +109,145 @@ def with_shapes(
     return replace(eqs, modes=modes)
 
 
-def multiaffine_form(closed_loop: Callable[..., control.StateSpace], factors: Sequence[str]) -> MultiAffine:
-    """Return the characteristic polynomial of a closed loop as a multi-affine form, without rounding.
+def multiaffine_forms(
+    closed_loop: Callable[..., control.StateSpace],
+    groups: Sequence[Sequence[str]],
+    outputs: Sequence[str] = (),
+    initial: Sequence[str] = (),
+) -> Forms:
+    """Return a closed loop's polynomials as multi-affine forms, without rounding.
 
     Parameters
     ----------
     closed_loop : callable
         Takes the factors by name and returns the closed loop.
-    factors : sequence of str
-        Gains, actuator poles, mode slopes and deflections at a sensor or jet.
+    groups : sequence of sequence of str
+        The factors: gains, actuator poles, mode slopes and deflections.  Only factors of one
+        group may multiply each other in one entry of the closed loop's matrices.
+    outputs : sequence of str
+        Outputs whose numerators are wanted, from every input.
+    initial : sequence of str
+        States ``x_<name>`` whose initial value is an input as well, ``"<name>(0)"``.
 
     Returns
     -------
-    MultiAffine
+    Forms
         Only the terms that are not zero; each coefficient is rounded once, at the end.
 
     Raises
     ------
     ValueError
-        If the polynomial is not multi-affine in these factors.
+        If the closed loop is not multi-affine in these factors, or one multiplies another group's.
     """
+    factors = tuple(dict.fromkeys(name for group in groups for name in group))
+    zero = closed_loop(**dict.fromkeys(factors, 0.0))
+    n, e, terms = zero.nstates, *_entries(_matrix_terms(closed_loop, groups, factors))
+    A, B = [row[:n] for row in terms[:n]], [row[n:] for row in terms[:n]]
+    C = {name: terms[n + i][:n] for i, name in enumerate(zero.output_labels) if name in outputs}
+    for i in range(n):
+        B[i] += [{frozenset(): [2**e]} if zero.state_labels[i] == f"x_{s}" else {} for s in initial]
+    inputs = [*zero.input_labels, *(f"{state}(0)" for state in initial)]
 
-    def polynomial(values: Mapping[str, float]) -> list[Fraction]:
-        return exact_characteristic_polynomial(closed_loop(**values).A)
+    def form(polynomials: Polynomials, power: int) -> MultiAffine:
+        rounded = {s: [c / 2 ** (e * power) for c in p] for s, p in polynomials.items() if any(p)}
+        ordered = sorted(
+            rounded, key=lambda s: (len(s), [factors.index(f) for f in sorted(s, key=factors.index)])
+        )
+        return MultiAffine(
+            factors, tuple(Term(tuple(f for f in factors if f in s), tuple(rounded[s])) for s in ordered)
+        )
+
+    pencil = [_pencil_row(A[i], i, e) for i in range(n)]
+    whole = _minors(pencil)[2**n - 1]
+    numerators: dict[str, dict[str, Polynomials]] = {i: {o: {} for o in outputs} for i in inputs}
+    for i in range(n) if outputs else ():
+        if any(B[i]):
+            minors = _minors(pencil[:i] + pencil[i + 1 :])
+            for out, row in C.items():
+                for j, weight in enumerate(row):
+                    adjugate = _product(minors.get(2**n - 1 - 2**j, {}), weight, (-1) ** (i + j))
+                    for name, entry in zip(inputs, B[i], strict=True):
+                        _add(numerators[name][out], _product(adjugate, entry))
+    return Forms(
+        form(whole, n),
+        {i: {o: form(p, n + 1) for o, p in by_output.items()} for i, by_output in numerators.items()},
+    )
+
+
+def _matrix_terms(
+    closed_loop: Callable[..., control.StateSpace], groups: Sequence[Sequence[str]], factors: Sequence[str]
+) -> dict[Subset, NDArray]:
+    """Return the exact terms of the closed loop's matrix [A B; C D], by their factors."""
+
+    def matrix(values: Mapping[str, float]) -> NDArray:
+        loop = closed_loop(**values)
+        return np.vectorize(Fraction, otypes=[object])(np.block([[loop.A, loop.B], [loop.C, loop.D]]))
 
     # The corner of a subset is the sum of the terms of all its subsets (Moebius): subtract the smaller ones.
-    exact: dict[Subset, list[Fraction]] = {}
-    for subset in _subsets(factors):
-        corner = polynomial({name: float(name in subset) for name in factors})
-        smaller = [exact[part] for part in exact if part < subset]
-        exact[subset] = [c - sum(below) for c, *below in zip(corner, *smaller, strict=True)]
-    kept = {subset: c for subset, c in exact.items() if any(c)}
+    terms: dict[Subset, NDArray] = {}
+    for subset in _subsets(groups):
+        corner = matrix({name: float(name in subset) for name in factors})
+        terms[subset] = corner - sum((terms[part] for part in terms if part < subset), start=0 * corner)
     # A square of a factor looks like the factor itself at 0 and 1, and differs at 2.
-    doubled = [sum(2 ** len(s) * c[k] for s, c in kept.items()) for k in range(len(exact[frozenset()]))]
-    if doubled != polynomial(dict.fromkeys(factors, 2.0)):
-        raise ValueError(f"multiaffine_form: got a closed loop not multi-affine in {', '.join(factors)}")
-    terms = (Term(tuple(f for f in factors if f in s), tuple(map(float, c))) for s, c in kept.items())
-    return MultiAffine(tuple(factors), tuple(terms))
+    doubled = sum(2 ** len(subset) * term for subset, term in terms.items())
+    if (doubled != matrix(dict.fromkeys(factors, 2.0))).any():
+        raise ValueError(f"multiaffine_forms: got a closed loop not multi-affine in {', '.join(factors)}")
+    return {subset: term for subset, term in terms.items() if term.any()}
 
 
-def _subsets(factors: Sequence[str]) -> Iterator[Subset]:
-    """Yield all subsets, small ones first."""
-    for size in range(len(factors) + 1):
-        yield from map(frozenset, combinations(factors, size))
+def _subsets(groups: Sequence[Collection[str]]) -> Iterator[Subset]:
+    """Yield all subsets of each group, small ones first, none twice."""
+    for size in range(max(map(len, groups)) + 1):
+        yield from dict.fromkeys(frozenset(s) for group in groups for s in combinations(group, size))
+
+
+def _entries(terms: Mapping[Subset, NDArray]) -> tuple[int, list[list[Polynomials]]]:
+    """Return an exponent e and the matrix times 2^e, each entry as terms of one whole number."""
+    e = max(x.denominator.bit_length() - 1 for term in terms.values() for x in term.flat)
+    rows, columns = next(iter(terms.values())).shape
+    return e, [
+        [{s: [int(t[i, j] * 2**e)] for s, t in terms.items() if t[i, j]} for j in range(columns)]
+        for i in range(rows)
+    ]
+
+
+def _pencil_row(row: Sequence[Polynomials], i: int, e: int) -> dict[int, Polynomials]:
+    """Return row i of 2^e (s I - A): its entries by column, without those that are zero."""
+    entries = {j: {s: [-p[0], 0] for s, p in entry.items()} for j, entry in enumerate(row) if entry}
+    entries.setdefault(i, {}).setdefault(frozenset(), [0, 0])[1] = 2**e
+    return entries
+
+
+def _minors(rows: Sequence[Mapping[int, Polynomials]]) -> dict[int, Polynomials]:
+    """Return the determinants of these rows in every choice of as many columns (Laplace).
+
+    Keys are the chosen columns as bits.
+    """
+    found: dict[int, Polynomials] = {0: {frozenset(): [1]}}
+    for row in rows:
+        grown: dict[int, Polynomials] = defaultdict(dict)
+        for columns, minor in found.items():
+            for j, entry in row.items():
+                if not columns >> j & 1:
+                    sign = -1 if (columns >> j).bit_count() % 2 else 1
+                    _add(grown[columns | 1 << j], _product(minor, entry, sign))
+        found = grown
+    return found
+
+
+def _product(first: Polynomials, second: Polynomials, sign: int = 1) -> Polynomials:
+    product: Polynomials = {}
+    for s, p in first.items():
+        for t, q in second.items():
+            if s & t:
+                raise ValueError(f"multiaffine_forms: got a square of {', '.join(s & t)}")
+            _add(product, {s | t: (sign * np.convolve(np.array(p, object), np.array(q, object))).tolist()})
+    return product
+
+
+def _add(total: Polynomials, more: Polynomials) -> None:
+    """Add ``more`` to ``total``, in place."""
+    for s, p in more.items():
+        q = total.get(s, [])
+        size = max(len(p), len(q))
+        total[s] = [a + b for a, b in zip(p + [0] * (size - len(p)), q + [0] * (size - len(q)), strict=True)]

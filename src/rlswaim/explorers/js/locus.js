@@ -1,13 +1,15 @@
 // Root loci from the table of terms that Python sends: nothing here knows any physics.
-import { derivative, evaluate, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
+import { derivative, evaluate, multiply, pairing, refine, roots, settle, subtract, TILT } from './roots.js';
 
 // The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
 export function factorsOf(system, state) {
   const factors = { ...state };
   for (const [factor, shape] of Object.entries(system.shapes)) factors[factor] = along(shape.values, state[shape.at]);
-  for (const factor of system.choice.zero[state[system.choice.name]]) factors[factor] = 0;
+  for (const factor of leftOut(system, state)) factors[factor] = 0;
   return factors;
 }
+
+const leftOut = ({ choice }, state) => (choice ? choice.zero[state[choice.name]] : []);
 
 // The table has one value a foot; between two of them the picture takes the straight line.
 function along(values, station) {
@@ -15,14 +17,17 @@ function along(values, station) {
   return values[left] + (station - left) * (values[left + 1] - values[left]);
 }
 
+const longest = (terms) => terms.reduce((most, term) => Math.max(most, term.coefficients.length), 1);
+
 // Multiplies out all factors but the free ones: a shorter table of the same kind.
 export function collapse(terms, factors, free) {
   const merged = new Map();
+  const size = longest(terms);
   for (const term of terms) {
     const left = term.factors.filter((f) => free.includes(f));
     const weight = term.factors.reduce((w, f) => (free.includes(f) ? w : w * factors[f]), 1);
     const key = left.join();
-    if (!merged.has(key)) merged.set(key, { factors: left, coefficients: new Float64Array(term.coefficients.length) });
+    if (!merged.has(key)) merged.set(key, { factors: left, coefficients: new Float64Array(size) });
     const sum = merged.get(key).coefficients;
     term.coefficients.forEach((c, k) => (sum[k] += weight * c));
   }
@@ -34,17 +39,34 @@ function fill(table, factors, c) {
   for (const term of table) {
     let weight = 1;
     for (const f of term.factors) weight *= factors[f];
-    for (let k = 0; k < c.length; k++) c[k] += weight * term.coefficients[k];
+    for (let k = 0; k < term.coefficients.length; k++) c[k] += weight * term.coefficients[k];
   }
+  return c;
 }
 
-// The loop as D + k N, in the gain k.
-export function openLoop(system, state) {
-  const gain = system.locus.parameter;
-  const table = collapse(system.terms, factorsOf(system, state), [gain]);
-  const part = (size) => table.find((t) => t.factors.length === size)?.coefficients;
-  const D = part(0);
-  return { D, N: part(1) ?? new Float64Array(D.length) };
+// The polynomial of a list of terms at the values of its factors, constant term first.
+export const polynomial = (terms, factors) => fill(terms, factors, new Float64Array(longest(terms)));
+
+export const polynomialOf = (system, state) => polynomial(system.terms, factorsOf(system, state));
+
+// What a locus draws if nobody says: the loop that is closed last.
+export const lastLoop = (system) => ({ running: system.closing.at(-1), off: [], of: 'poles' });
+
+const withoutGains = (state, gains = []) => ({ ...state, ...Object.fromEntries(gains.map((gain) => [gain, 0])) });
+
+// The loop as D + k N, in the gain k that runs: its roots are the closed-loop poles, or the zeros that the poles run to
+// in a later loop, whose gain multiplies them.
+export function openLoop(system, state, what = lastLoop(system)) {
+  const { running, off, of, gain } = what;
+  const factors = factorsOf(system, withoutGains(state, off));
+  const zeros = of === 'zeros';
+  if (zeros) factors[gain] = 1;
+  const table = collapse(zeros ? system.terms.filter((t) => t.factors.includes(gain)) : system.terms, factors, [running]);
+  const part = (size) => table.find((t) => t.factors.length === size)?.coefficients ?? new Float64Array(table[0].coefficients.length);
+  const [D, N] = [part(0), part(1)];
+  let n = D.length;
+  while (n > 1 && D[n - 1] === 0 && N[n - 1] === 0) n--;
+  return { D: D.subarray(0, n), N: N.subarray(0, n) };
 }
 
 // The open-loop poles, each with the branch that leaves from it: the vehicle's from Python, the actuators' are factors.
@@ -71,12 +93,16 @@ export function breakAways({ D, N }) {
   });
 }
 
+// Even (first = 0) or odd part on the imaginary axis, in w^2: c(jw) = even + j w odd.
+const parts = (c, first) => Float64Array.from({ length: (c.length - first + 1) >> 1 }, (_, k) => c[2 * k + first] * (-1) ** k);
+
+const sum = (a, b) => subtract(a, b.map((v) => -v));
+
 // Gains at which a branch crosses the imaginary axis: D/N is real at s = jw. With even and odd parts in u = w^2 that is
 // D_odd N_even = D_even N_odd, or w = 0.
 export function crossings({ D, N }) {
   if (N.every((v) => v === 0)) return [];
-  const part = (c, first) => Float64Array.from({ length: (c.length - first + 1) >> 1 }, (_, k) => c[2 * k + first] * (-1) ** k);
-  const [De, Do, Ne, No] = [part(D, 0), part(D, 1), part(N, 0), part(N, 1)];
+  const [De, Do, Ne, No] = [parts(D, 0), parts(D, 1), parts(N, 0), parts(N, 1)];
   const u = roots(subtract(multiply(Do, Ne), multiply(De, No)));
   const squares = u.x.filter((x, i) => x > 0 && Math.abs(u.y[i]) <= 1e-9 * x);
   return [0, ...squares.map(Math.sqrt)].flatMap((omega) => {
@@ -107,8 +133,9 @@ const DEEPEST = 14;
 // Follows all roots as t runs over the nodes, halving each step until the drawn polyline is within `tolerance` pixels
 // of the curve and no root moves so far that it could be taken for another.
 // curve: { fill(t, c), middle(a, b) }; start: { x, y } at the first node, in the order of the branches.
-// view: { left, right, top, scale (pixels per 1/s), tolerance }. Returns points { t, x, y }.
-export function trace(curve, nodes, start, view) {
+// view: { left, right, top, scale (pixels per 1/s), tolerance }, or BLIND where only the names matter. On the way back
+// towards 0 or the nose, tilt is -TILT. Returns points { t, x, y }.
+export function trace(curve, nodes, start, view, tilt = TILT) {
   const n = start.x.length;
   const c = new Float64Array(n + 1);
   const partner = new Int32Array(n);
@@ -131,7 +158,7 @@ export function trace(curve, nodes, start, view) {
   // point then asks where they came from (kx, ky).
   function order(before, point) {
     if (clear(before, point)) return keep(point, before);
-    pairing(before.kx, before.ky, point.x, point.y, partner);
+    pairing(before.kx, before.ky, point.x, point.y, partner, tilt);
     return keep(permuted(point, partner), before);
   }
 
@@ -207,63 +234,104 @@ export function trace(curve, nodes, start, view) {
   return points;
 }
 
+const BLIND = { left: Infinity, right: -Infinity, top: -Infinity, scale: 1, tolerance: Infinity };
+
+// The roots of the curve at t beside a guess, in its order, to the last digits.
+function pointBeside(curve, t, guess) {
+  const n = guess.x.length;
+  const x = Float64Array.from(guess.x);
+  const y = Float64Array.from(guess.y, (v, i) => v + (i % 2 ? 1e-8 : -1.3e-8) * Math.abs(x[i]));
+  const c = new Float64Array(n + 1);
+  curve.fill(t, c);
+  refine(c, n, x, y);
+  settle(x, y);
+  return permuted({ t, x, y }, pairing(guess.x, guess.y, x, y, new Int32Array(n)));
+}
+
 // The roots at one value of t inside a traced curve, in the order of its branches.
 function pointAt(curve, points, t) {
-  const next = points.findIndex((p, i) => i > 0 && (p.t - t) * (points[i - 1].t - t) <= 0);
+  const next = Math.max(1, points.findIndex((p, i) => i > 0 && (p.t - t) * (points[i - 1].t - t) <= 0));
   const [a, b] = [points[next - 1], points[next]];
   const part = a.t === b.t ? 0 : (t - a.t) / (b.t - a.t);
-  const guess = {};
-  for (const k of ['x', 'y']) guess[k] = a[k].map((v, i) => v + part * (b[k][i] - v));
-  const x = guess.x.slice();
-  const y = guess.y.map((v, i) => v + (i % 2 ? 1e-8 : -1.3e-8) * Math.abs(x[i]));
-  const c = new Float64Array(x.length + 1);
-  curve.fill(t, c);
-  refine(c, x.length, x, y);
-  settle(x, y);
-  const partner = pairing(guess.x, guess.y, x, y, new Int32Array(x.length));
-  return permuted({ t, x, y }, partner);
+  const between = (k) => a[k].map((v, i) => v + part * (b[k][i] - v));
+  return pointBeside(curve, t, { x: between('x'), y: between('y') });
 }
 
-// The root locus of the present state: its gain runs from 0 to the end of its range, on the side of its sign.
-export function rootLocus(system, state, view) {
-  const loop = openLoop(system, state);
-  const gain = state[system.locus.parameter];
-  const sign = gain < 0 ? -1 : 1;
-  const [first, most] = system.locus.magnitudes;
-  const last = Math.max(most, Math.abs(gain));
-  const within = ({ gain: k }) => k * sign > 0 && k * sign < last;
-  const breaks = breakAways(loop).filter(within);
+const gainCurve = ({ D, N }, sign) => ({
+  fill(t, c) {
+    for (let k = 0; k < c.length; k++) c[k] = D[k] + t * N[k];
+  },
+  middle: (a, b) => (a === 0 || b === 0 ? (a + b) / 2 : sign * Math.sqrt(a * b)),
+});
+
+// Gains from 0 to the last at which a trace stops in any case, in rising size.
+function gainNodes(magnitudes, last, breaks) {
+  const [first, most] = magnitudes;
   const steps = Math.round(3 * Math.log10(most / first));
   const regular = Array.from({ length: steps + 1 }, (_, i) => first * (most / first) ** (i / steps));
-  const nodes = [...new Set([0, ...regular, ...breaks.map((b) => b.gain * sign), last])].sort((a, b) => a - b);
-  const curve = {
-    fill(t, c) {
-      for (let k = 0; k < c.length; k++) c[k] = loop.D[k] + t * loop.N[k];
-    },
-    middle: (a, b) => (a === 0 || b === 0 ? (a + b) / 2 : sign * Math.sqrt(a * b)),
-  };
-  const open = namedPoles(system, state);
-  const branches = trace(curve, nodes.map((t) => t * sign), open, view);
+  const inside = [...regular, ...breaks].filter((size) => size < last);
+  return [...new Set([0, ...inside, last])].sort((a, b) => a - b);
+}
+
+const remembered = new WeakMap();
+
+// The closed-loop poles { x, y, branches }, each with the name of the open-loop pole that it grows out of as the loops are
+// closed one after the other, in the report's order.
+export function closedLoop(system, state) {
+  const key = system.parameters.map(({ name }) => state[name]).join();
+  const last = remembered.get(system);
+  if (last?.key === key) return last.poles;
+  const poles = namedPoles(system, state);
+  let now = withoutGains(state, system.closing);
+  for (const running of system.closing) {
+    const gain = state[running];
+    if (gain === 0) continue;
+    const sign = Math.sign(gain);
+    const loop = openLoop(system, now, { running });
+    now = { ...now, [running]: gain };
+    const breaks = breakAways(loop).map((b) => b.gain * sign).filter((size) => size > 0);
+    const nodes = gainNodes(system.running[running].magnitudes, Math.abs(gain), breaks).map((size) => size * sign);
+    const curve = gainCurve(loop, sign);
+    const end = pointBeside(curve, gain, trace(curve, nodes, poles, BLIND).at(-1));
+    [poles.x, poles.y] = [[...end.x], [...end.y]];
+  }
+  remembered.set(system, { key, poles });
+  return poles;
+}
+
+// The parameter that runs as a curve of roots, its nodes on both sides of the present value, and what marks it.
+function runningCurve(system, state, what) {
+  return system.running[what.running].magnitudes ? runningGain(system, state, what) : runningStation(system, state, what.running);
+}
+
+function runningGain(system, state, what) {
+  const t = state[what.running];
+  const sign = t < 0 ? -1 : 1;
+  const { magnitudes } = system.running[what.running];
+  const last = Math.max(magnitudes[1], Math.abs(t));
+  const loop = openLoop(system, state, what);
+  const within = ({ gain: k }) => k * sign > 0 && k * sign < last;
+  const breaks = breakAways(loop).filter(within);
+  const nodes = gainNodes(magnitudes, last, breaks.map((b) => b.gain * sign));
+  const before = nodes.filter((size) => size < t * sign).map((size) => size * sign);
   return {
+    kind: 'gain',
+    curve: gainCurve(loop, sign),
+    from: 0,
     end: sign * last,
-    open,
+    back: [t, ...before.reverse()],
+    forth: [t, ...nodes.filter((size) => size > t * sign).map((size) => size * sign)],
     zeros: roots(loop.N),
     breaks,
-    crossings: crossings(loop).filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
-    branches,
-    present: pointAt(curve, branches, gain),
+    crossings: () => crossings(loop).filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
   };
 }
 
-// The closed-loop poles at the present gains as another parameter, a station, runs over its range: from the present
-// one both ways, so that a branch is the one that the locus calls so. Empty where the choice makes no use of it.
-export function poleMap(system, state, present, view) {
-  const { parameter, ends, step } = system.map;
-  const off = system.choice.zero[state[system.choice.name]];
-  const free = Object.keys(system.shapes).filter((f) => system.shapes[f].at === parameter && !off.includes(f));
-  if (free.length === 0) return [];
+function runningStation(system, state, station) {
+  const { ends, step } = system.running[station];
+  const off = leftOut(system, state);
+  const free = Object.keys(system.shapes).filter((f) => system.shapes[f].at === station && !off.includes(f));
   const table = collapse(system.terms, factorsOf(system, state), free);
-  const here = state[parameter];
   const shape = {};
   const curve = {
     fill(t, c) {
@@ -272,18 +340,145 @@ export function poleMap(system, state, present, view) {
     },
     middle: (a, b) => (a + b) / 2,
   };
-  return ends.map((end) => {
-    const nodes = [here];
-    const sign = Math.sign(end - here);
-    for (let t = (sign > 0 ? Math.floor(here / step) + 1 : Math.ceil(here / step) - 1) * step; sign * (end - t) > 0; t += sign * step) nodes.push(t);
-    if (sign) nodes.push(end);
-    return trace(curve, nodes, present, view);
+  const t = state[station];
+  const inner = [];
+  for (let at = Math.ceil(ends[0] / step) * step; at <= ends[1]; at += step) inner.push(at);
+  const nodes = [...new Set([ends[0], ...inner, ends[1]])];
+  return {
+    kind: 'station',
+    curve,
+    from: ends[0],
+    end: ends[1],
+    back: [t, ...nodes.filter((at) => at < t).reverse()],
+    forth: [t, ...nodes.filter((at) => at > t)],
+    idle: free.length === 0,
+    zeros: { x: [], y: [] },
+    breaks: [],
+    crossings: (branches) => axisCrossings(curve, branches),
+  };
+}
+
+// Where traced branches cross the imaginary axis, by bisection between two points.
+function axisCrossings(curve, points) {
+  return points.slice(1).flatMap((b, k) => {
+    const a = points[k];
+    return Array.from(a.x.keys()).flatMap((i) => {
+      if (a.x[i] * b.x[i] >= 0 || Math.min(a.y[i], b.y[i]) < 0) return [];
+      let [low, high] = [a, b];
+      for (let turn = 0; turn < 40 && high.t - low.t > 1e-9; turn++) {
+        const m = pointAt(curve, [low, high], (low.t + high.t) / 2);
+        [low, high] = low.x[i] * m.x[i] > 0 ? [m, high] : [low, m];
+      }
+      return [{ gain: high.t, omega: high.y[i], direction: Math.sign(b.x[i] - a.x[i]) }];
+    });
   });
 }
 
-// The closed-loop poles alone, unordered: to choose the window before anything is traced.
-export function closedLoopPoles(system, state) {
-  const { D, N } = openLoop(system, state);
-  const gain = state[system.locus.parameter];
-  return roots(D.map((d, k) => d + gain * N[k]));
+const traced = (running, start, view) => [
+  trace(running.curve, running.back, start, view, -TILT),
+  trace(running.curve, running.forth, start, view),
+];
+
+// The locus of any parameter: { running, off, of, gain }. A gain runs from 0 to the end of its range, on the side of its
+// sign; a station from the nose to the tail. Each branch has the name of the present pole on it.
+export function rootLocus(system, state, view, what = lastLoop(system)) {
+  const running = runningCurve(system, state, what);
+  const { kind, curve, from, end, zeros, breaks } = running;
+  const start = presentRoots(system, state, what, curve);
+  const [back, forth] = traced(running, start, view);
+  const branches = [...back.slice(1).reverse(), ...forth];
+  const { x, y } = branches[0];
+  return {
+    kind,
+    from,
+    end,
+    open: { x, y, branches: start.branches },
+    zeros,
+    breaks,
+    crossings: running.crossings(branches),
+    branches,
+    names: start.branches,
+    present: { t: state[what.running], x: start.x, y: start.y },
+  };
 }
+
+// The roots at the present value: the named poles, or the zeros, which have no names of their own.
+function presentRoots(system, state, { running, off, of, gain }, curve) {
+  if (of !== 'zeros') return closedLoop(system, withoutGains(state, off));
+  const { D, N } = openLoop(system, state, { running, off, of, gain });
+  const c = new Float64Array(D.length);
+  curve.fill(state[running], c);
+  const { x, y } = roots(c);
+  return { x, y, branches: x.map(() => 'zero') };
+}
+
+// The closed-loop poles at the present gains as a station runs over its range: from the present one both ways, so that a
+// branch is the one that the locus calls so. Empty where the feedback makes no use of it.
+export function poleMap(system, state, present, view, station = system.maps[0]) {
+  const running = runningStation(system, state, station);
+  return running.idle ? [] : traced(running, present, view);
+}
+
+// The value of the running parameter at which a branch of a locus comes nearest to a point: the nearest place on the drawn
+// line first, then golden section on the curve itself.
+export function gainAt(system, state, what, branch, x, y, locus) {
+  const points = locus.branches;
+  const distance = (p) => Math.hypot(p.x[branch] - x, p.y[branch] - y);
+  let best = 0;
+  let least = Infinity;
+  for (let k = 1; k < points.length; k++) {
+    const [a, b] = [points[k - 1], points[k]];
+    const [dx, dy] = [b.x[branch] - a.x[branch], b.y[branch] - a.y[branch]];
+    const [ex, ey] = [x - a.x[branch], y - a.y[branch]];
+    const part = Math.max(0, Math.min(1, (ex * dx + ey * dy) / (dx * dx + dy * dy || 1)));
+    const off = Math.hypot(ex - part * dx, ey - part * dy);
+    if (off < least) [least, best] = [off, part < 0.5 ? k - 1 : k];
+  }
+  const { curve } = runningCurve(system, state, what);
+  let low = points[Math.max(0, best - 1)];
+  let high = points[Math.min(points.length - 1, best + 1)];
+  const at = (share) => pointAt(curve, points, low.t + share * (high.t - low.t));
+  const GOLDEN = (Math.sqrt(5) - 1) / 2;
+  let [first, second] = [at(1 - GOLDEN), at(GOLDEN)];
+  while (Math.abs(high.t - low.t) > 1e-9 * Math.max(Math.abs(low.t), Math.abs(high.t))) {
+    if (distance(first) <= distance(second)) [high, second, first] = [second, first, null];
+    else [low, first, second] = [first, second, null];
+    first ??= at(1 - GOLDEN);
+    second ??= at(GOLDEN);
+  }
+  return [low, first, second, high].reduce((p, q) => (distance(q) < distance(p) ? q : p)).t;
+}
+
+const decibels = (factor) => 20 * Math.log10(factor);
+
+// Gain and phase margins of the loop that is drawn, k N/D at the present gain: by which factor the gain may change before a
+// root crosses the axis, how far the phase is from -180 degrees where the loop's size is 1, and the delay (s) that would use
+// it up. null where nothing is fed back.
+export function margins(system, state, what = lastLoop(system)) {
+  if (!system.running[what.running].magnitudes || what.of === 'zeros') return null;
+  const { D, N } = openLoop(system, state, what);
+  const k = state[what.running];
+  if (k === 0 || N.every((v) => v === 0)) return null;
+  const gain = crossings({ D, N })
+    .map((c) => ({ factor: c.gain / k, dB: decibels(c.gain / k), omega: c.omega }))
+    .filter(({ factor }) => factor > 0);
+  const square = (c) => {
+    const [even, odd] = [parts(c, 0), parts(c, 1)];
+    return sum(multiply(even, even), Float64Array.of(0, ...multiply(odd, odd)));
+  };
+  const u = roots(subtract(square(D), square(N).map((v) => k * k * v)));
+  const phase = Array.from(u.x.keys())
+    .filter((i) => u.x[i] > 0 && Math.abs(u.y[i]) <= 1e-9 * u.x[i])
+    .map((i) => {
+      const omega = Math.sqrt(u.x[i]);
+      const [dx, dy] = evaluate(D, 0, omega);
+      const [nx, ny] = evaluate(N, 0, omega);
+      const degrees = (Math.atan2(-k * (ny * dx - nx * dy), -k * (nx * dx + ny * dy)) * 180) / Math.PI;
+      return { degrees, omega, delay: ((((degrees + 360) % 360) * Math.PI) / 180 / omega) };
+    });
+  const byOmega = (a, b) => a.omega - b.omega;
+  return { gain: gain.sort(byOmega), phase: phase.sort(byOmega) };
+}
+
+// The closed-loop poles alone, unordered: to choose the window before anything is traced.
+export const closedLoopPoles = (system, state) => roots(polynomialOf(system, state));

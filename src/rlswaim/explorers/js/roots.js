@@ -115,17 +115,18 @@ export function settle(x, y) {
 }
 
 // For each point of a its partner in b, by least total squared distance. Where two branches leave a break-away both
-// pairings are equally near; turning b by TILT decides for one of them, always the same.
-const TILT = 1e-4;
+// pairings are equally near; turning b by TILT decides for one of them, always the same, and the opposite turn for the
+// same one on the way back.
+export const TILT = 1e-4;
 
-export function pairing(ax, ay, bx, by, partner) {
+export function pairing(ax, ay, bx, by, partner, tilt = TILT) {
   const n = ax.length;
   let taken = 0;
   for (let i = 0; i < n; i++) {
     let best = Infinity;
     for (let j = 0; j < n; j++) {
-      const ex = ax[i] - bx[j] - TILT * by[j];
-      const ey = ay[i] - by[j] + TILT * bx[j];
+      const ex = ax[i] - bx[j] - tilt * by[j];
+      const ey = ay[i] - by[j] + tilt * bx[j];
       const d = ex * ex + ey * ey;
       if (d < best) {
         best = d;
@@ -134,14 +135,14 @@ export function pairing(ax, ay, bx, by, partner) {
     }
     taken |= 1 << partner[i];
   }
-  if (taken !== 2 ** n - 1) assign(ax, ay, bx, by, partner); // two points share the nearest one
+  if (taken !== 2 ** n - 1) assign(ax, ay, bx, by, partner, tilt); // two points share the nearest one
   return partner;
 }
 
 // The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form).
-function assign(ax, ay, bx, by, partner) {
+function assign(ax, ay, bx, by, partner, tilt) {
   const n = ax.length;
-  const cost = (i, j) => (ax[i] - bx[j] - TILT * by[j]) ** 2 + (ay[i] - by[j] + TILT * bx[j]) ** 2;
+  const cost = (i, j) => (ax[i] - bx[j] - tilt * by[j]) ** 2 + (ay[i] - by[j] + tilt * bx[j]) ** 2;
   const u = new Float64Array(n + 1);
   const v = new Float64Array(n + 1);
   const row = new Int32Array(n + 1).fill(-1); // of each column; column n stands for "not yet"

@@ -1,0 +1,95 @@
+"""The report's designs and the corrected ones, as presets of the live views."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rlswaim import dual
+from rlswaim.evidence.matching import printed_roots
+from rlswaim.evidence.section_4 import K_C, WANTED
+from rlswaim.explorers.widget import Value
+from rlswaim.loops import as_text
+from rlswaim.perturbation import PerturbationEquations
+from rlswaim.rigid_body import rigid_body, rigid_design
+from rlswaim.tables import read_table
+
+FOUND = {"V": ("single_sensor", "search"), "VII": ("dual_actuation", "Table 3, case 1")}
+"""Sections with gains found where the report has none: their system, and how the preset is called."""
+
+
+def _value(text: str) -> Value:
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def designs(section: str) -> dict[str, dict[str, Value]]:
+    """Return the report's designs of one section: parameters by name of the design [data/designs.csv]."""
+    found: dict[str, dict[str, Value]] = {}
+    for row in read_table("designs"):
+        if row["section"] == section:
+            found.setdefault(row["name"], {})[row["parameter"]] = _value(row["value"])
+    return found
+
+
+def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dict[str, Value]]:
+    """Return designs of one section as they should be: the rigid-body design of Eqs. 61 to 75, gains found.
+
+    Parameters
+    ----------
+    section : str
+    eqs : PerturbationEquations
+        Section IV's rigid body.
+    """
+    if section == "IV":
+        gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=-WANTED.real / abs(WANTED), K_C=K_C)
+        return {"Eq. 75": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
+    system, name = FOUND.get(section, ("", ""))
+    rows = [row for row in read_table("gains_found") if row["system"] == system]
+    return {name: {row["parameter"]: float(row["value"]) for row in rows}} if rows else {}
+
+
+def _printed(section: str, start: str) -> list[dict[str, Any]]:
+    """Return printed roots (1/s), of a pair the upper one, as a preset tells them."""
+    if not start:
+        return []
+    roots = dual.printed_factors(start) if section == "VII" else printed_roots(section, start).values()
+    return [{"re": r.real, "im": r.imag, "text": as_text([r])} for r in roots]
+
+
+def presets(
+    section: str, eqs: PerturbationEquations, loci: Sequence[Mapping[str, Any]]
+) -> list[dict[str, Any]]:
+    """Return the presets of one section, the report's first.
+
+    Parameters
+    ----------
+    section : str
+    eqs : PerturbationEquations
+    loci : sequence of mapping
+        The loci of the section's view; a preset names one of them by its place.
+    """
+    places = {locus["name"]: i for i, locus in enumerate(loci)}
+    rows = {row["name"]: row for row in read_table("presets") if row["section"] == section}
+    own = [
+        {
+            "name": name,
+            "label": rows[name]["label"],
+            "values": values,
+            "locus": places[rows[name]["locus"]],
+            "printed": _printed(section, rows[name]["printed"]),
+            "note": "as printed",
+        }
+        for name, values in designs(section).items()
+    ]
+    return own + [
+        {
+            "name": f"{name}, corrected",
+            "label": "corrected design",
+            "values": values,
+            "locus": len(loci) - 1,
+            "printed": [],
+            "note": "corrected",
+        }
+        for name, values in corrected_designs(section, eqs).items()
+    ]
