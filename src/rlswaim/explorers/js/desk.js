@@ -24,7 +24,7 @@ export function lociOf({ loci, running }) {
   return [...own, ...rest];
 }
 
-const START = { map: 0, camera: null, input: 0, duration: 5, gust: 2, printed: -1, mode: 0 };
+const START = { map: 0, camera: null, input: 0, duration: 5, gust: 2 };
 
 export class Desk {
   constructor(model) {
@@ -34,7 +34,8 @@ export class Desk {
     this.inputs = inputsOf(this.system);
     this.names = this.system.parameters.map(({ name }) => name);
     const fresh = this.system.presets.findIndex((p) => this.#same(p.values, this.system.initial));
-    this.start = { ...START, locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh), printed: fresh };
+    const mode = this.system.poles.findIndex((p) => p.branch === 'mode 1' && p.im > 0);
+    this.start = { ...START, locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh), printed: fresh, mode };
     this.view = { ...this.start };
   }
 
@@ -63,9 +64,11 @@ export class Desk {
     return { kind, input, amplitude, duration: this.view.gust };
   }
 
-  // Those designs of the report that the parameters are at.
-  isAt(preset) {
-    return this.#same(this.system.presets[preset].values, this.state);
+  // Is this the design of the report that the parameters are at? Of two with the same gains, the one that was chosen.
+  isDesign(preset) {
+    const { printed } = this.view;
+    const at = (i) => this.#same(this.system.presets[i].values, this.state);
+    return at(preset) && (printed === preset || printed < 0 || !at(printed));
   }
 
   set(values, view = {}) {
@@ -108,8 +111,8 @@ export class Desk {
   toAddress() {
     const { state, view, start } = this;
     const { initial } = this.system;
-    const all = this.names.filter((name) => state[name] !== initial[name]).map((name) => [name, state[name]]);
-    if (all.length) all.unshift(...this.names.filter((name) => state[name] === initial[name]).map((name) => [name, state[name]]));
+    const moved = this.names.some((name) => state[name] !== initial[name]);
+    const all = moved ? this.names.map((name) => [name, state[name]]) : [];
     for (const name of Object.keys(start)) if (name !== 'camera' && view[name] !== start[name]) all.push([`view.${name}`, view[name]]);
     const { camera } = view;
     if (camera) all.push(['view.window', [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_')]);

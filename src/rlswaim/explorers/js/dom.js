@@ -28,7 +28,12 @@ export function digits(value, count) {
 
 const short = (text) => text.replace(/(\.\d*?)0+(?=e|$)/, '$1').replace(/\.(?=e|$)/, '');
 
-export const number = (value, count = 4) => short(digits(value, count)).replaceAll('-', '−');
+export function number(value, count = 4) {
+  const size = Math.abs(value);
+  const large = size >= 10 ** (count - 1) && size < 1e6;
+  const text = large ? String(Number(value.toPrecision(count))) : short(digits(value, count));
+  return text.replaceAll('-', '−').replace('e+', 'e');
+}
 
 // A value of a slider, for a program or an address: with as many digits as it takes.
 export const plain = (value) => (typeof value === 'number' ? String(value) : value);

@@ -110,7 +110,7 @@ class Workbench {
     });
     this.undo = button('↶', () => this.past.undo(), { 'aria-label': 'undo', title: 'undo (Ctrl+Z)' });
     this.redo = button('↷', () => this.past.redo(), { 'aria-label': 'redo', title: 'redo (Ctrl+Shift+Z)' });
-    this.said = element('span', { class: 'said', role: 'status' });
+    this.said = element('span', { class: 'said', 'aria-live': 'polite' });
     const link = button('Copy link', () => this.#copy(this.#link(), 'link'), { hidden: this.#inLab() });
     const steps = element('span', { class: 'steps' }, this.undo, this.redo, link, this.said);
     return element('div', { class: 'bar' }, this.loci.node, this.inset.node, steps);
@@ -231,7 +231,7 @@ class Workbench {
     if (this.named !== running) this.running.replaceChildren(...symbol((this.named = running)));
     set(this.crossings, crossingWords(locus.crossings));
     set(this.margins, marginWords(margins(this.system, desk.state, desk.what)));
-    this.system.presets.forEach((_, i) => press(this.designs.made[i], desk.isAt(i)));
+    this.system.presets.forEach((_, i) => press(this.designs.made[i], desk.isDesign(i)));
     if (this.loci.list.value !== desk.view.locus) this.loci.list.value = desk.view.locus;
     const magnify = String(this.model.get('magnify'));
     if (this.inset.list.value !== magnify) this.inset.list.value = magnify;

@@ -20,7 +20,7 @@ export class LocusPlane {
   constructor(bench) {
     this.bench = bench;
     this.canvas = element('canvas', { role: 'application', tabindex: '0', 'data-plane': 'locus' });
-    this.tip = element('div', { class: 'tip', role: 'status', 'aria-live': 'off', hidden: true });
+    this.tip = element('div', { class: 'tip', role: 'tooltip', 'aria-live': 'off', hidden: true });
     this.spot = element('div', { class: 'spot', hidden: true });
     this.handles = [];
     this.keys = element('div', { class: 'handles' });

@@ -1,4 +1,5 @@
 // Draws the upper half of the s plane: what lies below the real axis mirrors it. On a canvas, or as SVG.
+import { number } from './dom.js';
 import { ladder } from './window.js';
 
 const STEPS = [1, 2, 5, 10];
@@ -332,8 +333,8 @@ export class Picture {
     g.fillStyle = theme.plane;
     g.fill();
     this.stroke(theme.ink, 1.2);
-    const text = (value) => Number(value.toPrecision(3)).toString().replace('-', '−');
-    this.text(omega ? `${text(gain)} · ω ${text(omega)}` : text(gain), x + 9, y - 7, theme.ink, 'left');
+    const at = number(gain, 3);
+    this.text(omega ? `${at} · ω ${number(omega, 3)}` : at, x + 9, y - 7, theme.ink, 'left');
   }
 }
 
