@@ -24,8 +24,27 @@ from rlswaim.tables import script
 
 Value = float | int | str
 SOURCES = (
-    "roots", "locus", "response", "modes", "window", "dom", "svg", "picture", "planes", "charts", "bent", "table",
-    "words", "history", "address", "export", "interact", "desk", "locusplane", "panels", "explorer",
+    "roots",
+    "locus",
+    "response",
+    "modes",
+    "window",
+    "dom",
+    "svg",
+    "picture",
+    "planes",
+    "charts",
+    "bent",
+    "table",
+    "words",
+    "history",
+    "address",
+    "export",
+    "interact",
+    "desk",
+    "locusplane",
+    "panels",
+    "explorer",
 )
 
 

@@ -247,7 +247,7 @@ class Workbench {
     this.responses.later();
     this.mode.later();
     set(this.code, pythonOf(this.system, this.desk.state));
-    if (this.past.past.length || Object.keys(this.desk.toAddress()).length) this.#writeAddress();
+    this.#writeAddress();
   }
 
   #writeAddress() {
