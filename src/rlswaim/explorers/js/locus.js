@@ -1,5 +1,5 @@
 // Root loci from the table of terms that Python sends: nothing here knows any physics.
-import { derivative, evaluate, multiply, pairing, refine, roots, settle, subtract, TILT } from './roots.js';
+import { derivative, evaluate, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
 
 // The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
 export function factorsOf(system, state) {
@@ -118,7 +118,7 @@ export function crossings({ D, N }) {
 // Plain loops from here on: they run thousands of times in a frame.
 function permuted({ t, x, y }, partner) {
   const n = x.length;
-  const moved = { t, x: new Float64Array(n), y: new Float64Array(n) };
+  const moved = { t, x: x.slice(), y: y.slice(), clear: false };
   for (let i = 0; i < n; i++) {
     moved.x[i] = x[partner[i]];
     moved.y[i] = y[partner[i]];
@@ -128,22 +128,27 @@ function permuted({ t, x, y }, partner) {
 
 const real = ({ x, y }, i) => Math.abs(y[i]) <= 1e-6 * Math.abs(x[i]);
 
+const flat = (x, y, i) => Math.abs(y[i]) <= 1e-10 * Math.abs(x[i]);
+const twin = (x, y, i, j) => y[i] * y[j] < 0 && Math.hypot(x[i] - x[j], y[i] + y[j]) < 1e-6 * Math.abs(y[i]);
+
+// A root that moves by less than a third of the distance to the next one is not taken for it.
+const NEAR = 0.1;
 const DEEPEST = 14;
 
 // Follows all roots as t runs over the nodes, halving each step until the drawn polyline is within `tolerance` pixels
 // of the curve and no root moves so far that it could be taken for another.
-// curve: { fill(t, c), middle(a, b) }; start: { x, y } at the first node, in the order of the branches.
-// view: { left, right, top, scale (pixels per 1/s), tolerance }, or BLIND where only the names matter. On the way back
-// towards 0 or the nose, tilt is -TILT. Returns points { t, x, y }.
-export function trace(curve, nodes, start, view, tilt = TILT) {
+// curve: { fill(t, c), middle(a, b), breaks }; start: { x, y } at the first node, in the order of the branches.
+// view: { left, right, top, scale (pixels per 1/s), tolerance }, or BLIND where only the names matter. Returns points
+// { t, x, y }. Traced back, a curve has the same branches as on its way forth.
+export function trace(curve, nodes, start, view, back = false) {
   const n = start.x.length;
   const c = new Float64Array(n + 1);
   const partner = new Int32Array(n);
 
   // Aberth keeps real points real, so they start a little off the axis to be able to leave it.
   function solve(t, a, b) {
-    const x = new Float64Array(n);
-    const y = new Float64Array(n);
+    const x = a.x.slice(); // arrays made by slice are several times cheaper here than new Float64Arrays
+    const y = a.y.slice();
     for (let i = 0; i < n; i++) {
       x[i] = (a.x[i] + b.x[i]) / 2;
       y[i] = (a.y[i] + b.y[i]) / 2 + (i % 2 ? 1e-8 : -1.3e-8) * (Math.abs(x[i]) + 1e-9);
@@ -154,29 +159,61 @@ export function trace(curve, nodes, start, view, tilt = TILT) {
     return { t, x, y };
   }
 
+  // At a break-away the roots that meet there are known better than they can be found.
+  function meet(point) {
+    for (const { gain, x, y } of curve.breaks ?? []) {
+      if (gain !== point.t) continue;
+      for (const at of y === 0 ? [0] : [y, -y]) {
+        const off = point.x.map((v, i) => Math.hypot(v - x, point.y[i] - at));
+        for (let k = 0; k < 2; k++) {
+          const i = off.indexOf(Math.min(...off));
+          [point.x[i], point.y[i], off[i]] = [x, at, Infinity];
+        }
+      }
+    }
+    return point;
+  }
+
   // Puts a point's roots in the order of the point before. Two that coincide can't tell which is which: the next
   // point then asks where they came from (kx, ky).
   function order(before, point) {
-    if (clear(before, point)) return keep(point, before);
-    pairing(before.kx, before.ky, point.x, point.y, partner, tilt);
+    point.clear = clear(before, point);
+    if (point.clear) return keep(point, before);
+    pairing(before.kx, before.ky, point.x, point.y, partner);
+    meeting(before, point);
     return keep(permuted(point, partner), before);
   }
 
-  // Each root within half the distance to the next one: no other pairing can be nearer.
+  // Where two branches meet on the real axis both pairings are equally near: the right one of two real roots goes on as the
+  // upper one of a pair, the upper one of a pair as the left one of two real roots.
+  function meeting({ kx, ky }, { x, y }) {
+    for (let i = 0; i < n; i++) {
+      for (let j = i + 1; j < n; j++) {
+        const [p, q] = [partner[i], partner[j]];
+        const [was, is] = [twin(kx, ky, i, j), twin(x, y, p, q)];
+        const forms = is && flat(kx, ky, i) && flat(kx, ky, j);
+        const parts = was && flat(x, y, p) && flat(x, y, q);
+        if (!forms && !parts) continue;
+        const swapped = forms ? kx[i] > kx[j] !== y[p] > y[q] : ky[i] > ky[j] !== x[p] < x[q];
+        if (swapped !== back) [partner[i], partner[j]] = [q, p];
+      }
+    }
+  }
+
+  // Each root moves little beside the distance to the next one: no other pairing can be nearer.
   function clear(before, { x, y }) {
     for (let i = 0; i < n; i++) {
       const dx = x[i] - before.x[i];
       const dy = y[i] - before.y[i];
-      if (before.gap[i] === Infinity || dx * dx + dy * dy > 0.25 * before.gap[i]) return false;
+      if (before.gap[i] === Infinity || dx * dx + dy * dy > NEAR * before.gap[i]) return false;
     }
     return true;
   }
 
   function keep(point, before) {
     const { x, y } = point;
-    const gap = (point.gap = new Float64Array(n));
-    const kx = (point.kx = x.slice());
-    const ky = (point.ky = y.slice());
+    const gap = (point.gap = x.slice());
+    [point.kx, point.ky] = [x, y];
     for (let i = 0; i < n; i++) {
       let least = Infinity;
       for (let j = 0; j < n; j++) {
@@ -188,7 +225,9 @@ export function trace(curve, nodes, start, view, tilt = TILT) {
       gap[i] = least;
       if (least <= 1e-10 * (x[i] * x[i] + y[i] * y[i])) {
         gap[i] = Infinity;
-        if (before) [kx[i], ky[i]] = [before.kx[i], before.ky[i]];
+        if (!before) continue;
+        if (point.kx === x) [point.kx, point.ky] = [x.slice(), y.slice()];
+        [point.kx[i], point.ky[i]] = [before.kx[i], before.ky[i]];
       }
     }
     return point;
@@ -204,7 +243,7 @@ export function trace(curve, nodes, start, view, tilt = TILT) {
       const move = bx * bx + by * by;
       // Between two nodes no root leaves the real axis or comes to it, other than at the nodes themselves.
       const meets = a.gap[i] === Infinity || b.gap[i] === Infinity;
-      if (depth < 10 && (move > 0.5 * a.gap[i] || (!meets && real(a, i) !== real(b, i)))) return true;
+      if (depth < 10 && (move > NEAR * a.gap[i] || (!meets && real(a, i) !== real(b, i)))) return true;
       if (Math.max(a.x[i], m.x[i], b.x[i]) < left || Math.min(a.x[i], m.x[i], b.x[i]) > right) continue;
       if (Math.min(Math.abs(a.y[i]), Math.abs(m.y[i]), Math.abs(b.y[i])) > top) continue;
       const mx = m.x[i] - a.x[i];
@@ -219,9 +258,26 @@ export function trace(curve, nodes, start, view, tilt = TILT) {
     return false;
   }
 
-  const points = [keep({ t: nodes[0], x: Float64Array.from(start.x), y: Float64Array.from(start.y) })];
+  const points = [keep({ t: nodes[0], x: [...start.x], y: [...start.y] })];
+
+  // Nothing that is seen moves: each root less than the tolerance, or farther off the window than it moves.
+  function still(a, b) {
+    const { left, right, top, scale, tolerance } = view;
+    for (let i = 0; i < n; i++) {
+      const move = Math.hypot(b.x[i] - a.x[i], b.y[i] - a.y[i]);
+      const [lower, upper] = [Math.min(a.x[i], b.x[i]), Math.max(a.x[i], b.x[i])];
+      const off = Math.max(left - upper, lower - right, Math.min(Math.abs(a.y[i]), Math.abs(b.y[i])) - top);
+      if (move * scale > tolerance && move > off) return false;
+    }
+    return true;
+  }
 
   function segment(a, b, depth) {
+    b = order(a, b); // a may have changed its order since
+    if (b.clear && still(a, b)) {
+      points.push(b);
+      return b;
+    }
     const m = order(a, solve(curve.middle(a.t, b.t), a, b));
     b = order(m, b);
     if (depth < DEEPEST && rough(a, m, b, depth)) return segment(segment(a, m, depth + 1), b, depth + 1);
@@ -230,7 +286,7 @@ export function trace(curve, nodes, start, view, tilt = TILT) {
   }
 
   let last = points[0];
-  for (const t of nodes.slice(1)) last = segment(last, order(last, solve(t, last, last)), 0);
+  for (const t of nodes.slice(1)) last = segment(last, meet(solve(t, last, last)), 0);
   return points;
 }
 
@@ -239,8 +295,8 @@ const BLIND = { left: Infinity, right: -Infinity, top: -Infinity, scale: 1, tole
 // The roots of the curve at t beside a guess, in its order, to the last digits.
 function pointBeside(curve, t, guess) {
   const n = guess.x.length;
-  const x = Float64Array.from(guess.x);
-  const y = Float64Array.from(guess.y, (v, i) => v + (i % 2 ? 1e-8 : -1.3e-8) * Math.abs(x[i]));
+  const x = guess.x.slice();
+  const y = guess.y.map((v, i) => v + (i % 2 ? 1e-8 : -1.3e-8) * Math.abs(x[i]));
   const c = new Float64Array(n + 1);
   curve.fill(t, c);
   refine(c, n, x, y);
@@ -257,7 +313,8 @@ function pointAt(curve, points, t) {
   return pointBeside(curve, t, { x: between('x'), y: between('y') });
 }
 
-const gainCurve = ({ D, N }, sign) => ({
+const gainCurve = ({ D, N }, sign, breaks) => ({
+  breaks,
   fill(t, c) {
     for (let k = 0; k < c.length; k++) c[k] = D[k] + t * N[k];
   },
@@ -289,11 +346,12 @@ export function closedLoop(system, state) {
     const sign = Math.sign(gain);
     const loop = openLoop(system, now, { running });
     now = { ...now, [running]: gain };
-    const breaks = breakAways(loop).map((b) => b.gain * sign).filter((size) => size > 0);
-    const nodes = gainNodes(system.running[running].magnitudes, Math.abs(gain), breaks).map((size) => size * sign);
-    const curve = gainCurve(loop, sign);
+    const breaks = breakAways(loop).filter((b) => b.gain * sign > 0);
+    const sizes = gainNodes(system.running[running].magnitudes, Math.abs(gain), breaks.map((b) => b.gain * sign));
+    const nodes = sizes.map((size) => size * sign);
+    const curve = gainCurve(loop, sign, breaks);
     const end = pointBeside(curve, gain, trace(curve, nodes, poles, BLIND).at(-1));
-    [poles.x, poles.y] = [[...end.x], [...end.y]];
+    [poles.x, poles.y] = [end.x, end.y];
   }
   remembered.set(system, { key, poles });
   return poles;
@@ -316,7 +374,7 @@ function runningGain(system, state, what) {
   const before = nodes.filter((size) => size < t * sign).map((size) => size * sign);
   return {
     kind: 'gain',
-    curve: gainCurve(loop, sign),
+    curve: gainCurve(loop, sign, breaks),
     from: 0,
     end: sign * last,
     back: [t, ...before.reverse()],
@@ -358,24 +416,27 @@ function runningStation(system, state, station) {
   };
 }
 
-// Where traced branches cross the imaginary axis, by bisection between two points.
+// Where traced branches cross the imaginary axis, by false position between two points (Illinois: the end that stays
+// counts half).
 function axisCrossings(curve, points) {
   return points.slice(1).flatMap((b, k) => {
     const a = points[k];
     return Array.from(a.x.keys()).flatMap((i) => {
       if (a.x[i] * b.x[i] >= 0 || Math.min(a.y[i], b.y[i]) < 0) return [];
-      let [low, high] = [a, b];
-      for (let turn = 0; turn < 40 && high.t - low.t > 1e-9; turn++) {
-        const m = pointAt(curve, [low, high], (low.t + high.t) / 2);
-        [low, high] = low.x[i] * m.x[i] > 0 ? [m, high] : [low, m];
+      let [low, high, m] = [a, b, b];
+      let [left, right] = [a.x[i], b.x[i]];
+      for (let turn = 0; turn < 60 && Math.abs(m.x[i]) > 1e-12 * Math.hypot(m.x[i], m.y[i]) && high.t - low.t > 1e-12 * high.t; turn++) {
+        m = pointAt(curve, [low, high], low.t + ((high.t - low.t) * left) / (left - right));
+        if (m.x[i] * right > 0) [high, right, left] = [m, m.x[i], left / 2];
+        else [low, left, right] = [m, m.x[i], right / 2];
       }
-      return [{ gain: high.t, omega: high.y[i], direction: Math.sign(b.x[i] - a.x[i]) }];
+      return [{ gain: m.t, omega: m.y[i], direction: Math.sign(b.x[i] - a.x[i]) }];
     });
   });
 }
 
 const traced = (running, start, view) => [
-  trace(running.curve, running.back, start, view, -TILT),
+  trace(running.curve, running.back, start, view, true),
   trace(running.curve, running.forth, start, view),
 ];
 

@@ -82,8 +82,8 @@ function startingPoints(c, n) {
     while (hull.length > 1 && slope(hull.at(-2), hull.at(-1)) <= slope(hull.at(-1), k)) hull.pop();
     hull.push(k);
   }
-  const x = new Float64Array(n);
-  const y = new Float64Array(n);
+  const x = new Array(n).fill(0.5);
+  const y = x.slice();
   for (let h = 1; h < hull.length; h++) {
     const [from, to] = [hull[h - 1], hull[h]];
     const radius = Math.exp(-slope(from, to));
@@ -106,7 +106,8 @@ export function roots(c) {
   const [x, y] = startingPoints(inner, n - m);
   refine(inner, n - m, x, y);
   settle(x, y);
-  return { x: [...new Float64Array(m), ...x], y: [...new Float64Array(m), ...y] };
+  const origin = new Array(m).fill(0);
+  return { x: [...origin, ...x], y: [...origin, ...y] };
 }
 
 // Rounding leaves a real root a little off the axis.
@@ -114,19 +115,15 @@ export function settle(x, y) {
   for (let i = 0; i < x.length; i++) if (Math.abs(y[i]) <= 1e-13 * Math.abs(x[i])) y[i] = 0;
 }
 
-// For each point of a its partner in b, by least total squared distance. Where two branches leave a break-away both
-// pairings are equally near; turning b by TILT decides for one of them, always the same, and the opposite turn for the
-// same one on the way back.
-export const TILT = 1e-4;
-
-export function pairing(ax, ay, bx, by, partner, tilt = TILT) {
+// For each point of a its partner in b, by least total squared distance.
+export function pairing(ax, ay, bx, by, partner) {
   const n = ax.length;
   let taken = 0;
   for (let i = 0; i < n; i++) {
     let best = Infinity;
     for (let j = 0; j < n; j++) {
-      const ex = ax[i] - bx[j] - tilt * by[j];
-      const ey = ay[i] - by[j] + tilt * bx[j];
+      const ex = ax[i] - bx[j];
+      const ey = ay[i] - by[j];
       const d = ex * ex + ey * ey;
       if (d < best) {
         best = d;
@@ -135,14 +132,14 @@ export function pairing(ax, ay, bx, by, partner, tilt = TILT) {
     }
     taken |= 1 << partner[i];
   }
-  if (taken !== 2 ** n - 1) assign(ax, ay, bx, by, partner, tilt); // two points share the nearest one
+  if (taken !== 2 ** n - 1) assign(ax, ay, bx, by, partner); // two points share the nearest one
   return partner;
 }
 
 // The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form).
-function assign(ax, ay, bx, by, partner, tilt) {
+function assign(ax, ay, bx, by, partner) {
   const n = ax.length;
-  const cost = (i, j) => (ax[i] - bx[j] - tilt * by[j]) ** 2 + (ay[i] - by[j] + tilt * bx[j]) ** 2;
+  const cost = (i, j) => (ax[i] - bx[j]) ** 2 + (ay[i] - by[j]) ** 2;
   const u = new Float64Array(n + 1);
   const v = new Float64Array(n + 1);
   const row = new Int32Array(n + 1).fill(-1); // of each column; column n stands for "not yet"
