@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page
 
 import rlswaim as rl
 from rlswaim import explorers
-from rlswaim.explorers import Explorer, designs
+from rlswaim.explorers import Explorer
 from rlswaim.explorers.widget import module
 from standin import MODEL, model_state, opened, paired, show, table
 
@@ -27,9 +27,11 @@ VIEWS = {
     "VI": explorers.two_sensor_explorer,
     "VII": explorers.dual_actuation_explorer,
 }
-FIGURE_8 = designs("IV")["Figure 8"]
 SCREENSHOTS = Path(__file__).parent.parent / "screenshots"
-POLICY = "default-src 'none'; script-src 'self' blob:; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
+POLICY = (
+    "default-src 'none'; script-src 'self' blob:; "
+    "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
+)
 SITE = "http://workbench.test/"
 
 
@@ -59,7 +61,7 @@ def picture(page: Page, plane: str = "locus") -> str:
 
 
 def marks(page: Page) -> np.ndarray:
-    """Return where the closed-loop poles stand on the page, px: shape (n, 2), nan where they are not shown."""
+    """Return where the poles stand on the page, px: shape (n, 2), nan where they are not shown."""
     return np.array(
         page.evaluate(
             """() => [...el.querySelectorAll('.handles button')].map((button) => {
@@ -94,9 +96,8 @@ def one(page: Page, act) -> None:
 
 def mode_2(**gains: float) -> complex:
     """Return the upper pole near mode 2."""
-    poles = rl.rate_attitude(
-        EQUATIONS, **{**{k: v for k, v in FIGURE_8.items() if k != "feedback"}, **gains}
-    ).poles()
+    given = {"K_A": 1.8, "K_C": 10, "K_R": 0.618, "gyro": 60, **gains}  # else those of Figure 8
+    poles = rl.rate_attitude(EQUATIONS, **given).poles()
     return min((p for p in poles if p.imag > 0), key=lambda p: abs(p - (0.5 + 3j)))
 
 
@@ -146,8 +147,8 @@ class TestPointer:
         before, at = picture(page), np.array(to_pixels(page, -8 + 5j))
         page.mouse.move(*at)
         page.mouse.down()
-        page.mouse.move(*(at + (30, 5)))
-        one(page, lambda: page.mouse.move(*(at + (60, 20))))
+        page.mouse.move(at[0] + 30, at[1] + 5)
+        one(page, lambda: page.mouse.move(at[0] + 60, at[1] + 20))
         page.mouse.up()
         assert np.array(to_pixels(page, -8 + 5j)) - at == pytest.approx((60, 20), abs=1)
         one(page, lambda: page.mouse.dblclick(*at))
@@ -159,7 +160,7 @@ class TestPointer:
         one(page, lock.click)
         assert lock.get_attribute("aria-pressed") == "true"
         show(page, K_C=60.0)
-        assert scale_of(page) == pytest.approx(before, rel=1e-6)
+        assert scale_of(page) == pytest.approx(before, rel=2e-3)
         one(page, lock.click)
         assert scale_of(page) < 0.5 * before
 
@@ -208,7 +209,7 @@ class TestTouch:
         assert page.evaluate("state.K_A") == pytest.approx(8.0, rel=0.1)
 
     def test_two_fingers_zoom(self, page):
-        before, (x, y) = scale_of(page), to_pixels(page, -6 + 6j)
+        before, (x, y) = scale_of(page), to_pixels(page, 1 + 1j)
         self.touch(page, "touchStart", (x - 20, y), (x + 20, y))
         for out in (30, 45, 60):
             self.touch(page, "touchMove", (x - out, y), (x + out, y))
@@ -412,7 +413,7 @@ class TestTakeAway:
 
 
 class TestEveryControlSystem:
-    @pytest.fixture(scope="class")
+    @pytest.fixture
     def wide(self, browser, any_view):
         with opened(browser, any_view, viewport={"width": 1280, "height": 900}) as page:
             page.evaluate("[...el.querySelectorAll('details')].forEach((panel) => (panel.open = true))")
@@ -443,6 +444,8 @@ class TestEveryControlSystem:
             assert wide.locator(".bar select").first.input_value() == name
 
     def test_each_station_has_its_map(self, wide):
+        wide.locator("canvas[data-plane=map]").scroll_into_view_if_needed()
+        wide.wait_for_timeout(100)
         for at, station in enumerate(wide.evaluate("state.payload.maps")):
             if wide.locator(".map select").is_visible():
                 wide.locator(".map select").select_option(str(at))
@@ -454,7 +457,8 @@ class TestEveryControlSystem:
         wide.locator("canvas[data-plane=responses]").scroll_into_view_if_needed()
         for at in range(wide.locator(".responses select").first.locator("option").count()):
             wide.locator(".responses select").first.select_option(str(at))
-            wide.wait_for_timeout(250)
+            wide.wait_for_timeout(300)
+            wide.wait_for_function("el.querySelector('[data-plane=responses]').ariaLabel")
             seen.add(picture(wide, "responses"))
             label = wide.locator("canvas[data-plane=responses]").get_attribute("aria-label")
             assert "theta: largest" in label

@@ -38,8 +38,8 @@ export class LocusPlane {
 
   #tools() {
     const zoom = (factor) => () => {
-      const { frame } = this.view;
-      this.#move(zoomed(this.view, factor, frame.x + frame.w / 2, this.view.Y(Math.max(this.view.bottom, 0))));
+      const view = this.#now();
+      this.#move(zoomed(view, factor, view.frame.x + view.frame.w / 2, view.Y(Math.max(view.bottom, 0))));
     };
     this.lock = button('Lock axes', () => this.#move(this.bench.desk.view.camera ? null : cameraOf(this.view)), {
       title: 'hold the window while sliders move', 'aria-pressed': 'false',
@@ -55,7 +55,7 @@ export class LocusPlane {
 
   #acts() {
     return {
-      main: () => this.view,
+      main: () => this.#now(),
       pole: (px, py, reach) => nearestPole(this.locus.present, this.#viewAt(px, py), px, py, reach),
       drag: (branch, px, py) => this.#drag(branch, px, py),
       dropped: () => this.bench.past.settle(),
@@ -66,6 +66,12 @@ export class LocusPlane {
       fit: () => this.#move(null),
       step: (places) => this.#step(places),
     };
+  }
+
+  // The window as it will be drawn next: more than one move may come in a frame.
+  #now() {
+    const { camera } = this.bench.desk.view;
+    return camera ? seen(camera, this.view.width, this.view.height) : this.view;
   }
 
   #viewAt(px, py) {
@@ -180,7 +186,7 @@ export class LocusPlane {
     }
     this.handles.forEach((handle, i) => {
       const [px, py] = [this.view.X(x[i]), this.view.Y(y[i])];
-      const hidden = !(y[i] >= 0 && this.view.holds(px, py));
+      const hidden = !(i < x.length && y[i] >= 0 && this.view.holds(px, py));
       if (handle.hidden !== hidden) handle.made.hidden = handle.hidden = hidden;
       if (hidden || (handle.px === px && handle.py === py)) return;
       [handle.px, handle.py] = [px, py];
