@@ -37,7 +37,7 @@ def opened(browser: Browser, explorer: Explorer, address: str = "", **context) -
         page.goto(address)
     page.evaluate(MODEL, [module(), explorer._css, model_state(explorer)])
     yield page
-    assert errors == []
+    assert not errors, errors
     page.context.close()
 
 

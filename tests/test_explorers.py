@@ -177,11 +177,13 @@ class TestView:
             return page.evaluate("[...document.querySelectorAll('canvas')].map(c => c.toDataURL())")
 
         show(page, **FIGURE_11)
+        page.wait_for_timeout(200)  # a map that takes its time
         before = pictures()
         show(page, K_A=0.5, K_R=0.9)
         show(page, magnify=10)
         assert pictures() != before
         show(page, **FIGURE_11, magnify=1)
+        page.wait_for_timeout(200)
         assert pictures() == before
 
     def test_draws_are_joined_in_one_frame(self, page):

@@ -166,7 +166,7 @@ class TestPointer:
 
     def test_the_small_window_enlarges_the_origin(self, page):
         before = picture(page)
-        one(page, lambda: page.get_by_label("Origin").select_option("100"))
+        one(page, lambda: page.locator(".bar select").nth(1).select_option("100"))
         assert page.evaluate("state.magnify") == 100
         assert picture(page) != before
 
@@ -293,8 +293,8 @@ class TestKeyboard:
 class TestAddress:
     def test_a_link_gives_the_same_view(self, browser, page, explorer):
         show(page, K_A=-2.5, K_R=0.25, gyro=96, feedback="total")
-        one(page, lambda: page.get_by_label("Locus in").select_option("K_C"))
-        one(page, lambda: page.get_by_label("After a").select_option("1"))
+        one(page, lambda: page.locator(".bar select").first.select_option("K_C"))
+        one(page, lambda: page.locator(".responses select").first.select_option("1"))
         locus(page).focus()
         one(page, lambda: page.keyboard.press("+"))
         page.wait_for_function("location.hash.includes('view.window')")

@@ -293,6 +293,7 @@ class Workbench {
       clearTimeout(this.timer);
       this.past.stop();
       this.mode.stop();
+      this.map.stop();
       for (const observer of [resized, watch]) observer.disconnect();
       unwatch();
       document.removeEventListener('keydown', keys);

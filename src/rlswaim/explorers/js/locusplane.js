@@ -220,8 +220,9 @@ export class LocusPlane {
     const value = text(this.bench.desk.state[running]);
     this.canvas.setAttribute('aria-label', `Root locus in ${running} from ${text(from)} to ${text(end)}. At ${running} = ${value}: ${words}`);
     this.handles.forEach(({ made, hidden }, i) => {
+      if (hidden) return;
       const label = `${open.branches[i]} at ${complex(present.x[i], present.y[i])} 1/s, ${present.x[i] > 0 ? 'unstable' : 'stable'}; Enter shows its mode`;
-      if (!hidden && made.ariaLabel !== label) made.ariaLabel = label;
+      if (made.ariaLabel !== label) made.ariaLabel = label;
     });
   }
 }

@@ -12,6 +12,8 @@ import { responses } from './response.js';
 import { fitted, seen } from './window.js';
 
 const SAMPLES = 181;
+const INLINE = 2.5; // ms that a map may take in the locus's own frame
+const REST = 80; // ms
 
 // The closed-loop poles as a station runs along the vehicle; a click picks the station.
 export class MapPanel {
@@ -35,7 +37,27 @@ export class MapPanel {
     }
   }
 
-  draw(width, closed) {
+  // A map that takes its time waits until the hand rests, so that it never holds up the locus.
+  draw(width) {
+    clearTimeout(this.timer);
+    const slow = this.cost > INLINE;
+    this.canvas.classList.toggle('stale', slow);
+    if (slow) this.timer = setTimeout(() => this.#trace(width), REST);
+    else this.#trace(width);
+  }
+
+  #trace(width) {
+    const start = performance.now();
+    this.#picture(width, this.bench.closed);
+    this.cost = performance.now() - start;
+    this.canvas.classList.remove('stale');
+  }
+
+  stop() {
+    clearTimeout(this.timer);
+  }
+
+  #picture(width, closed) {
     const { system, desk, theme } = this.bench;
     const height = Math.round(Math.min(0.8 * width, 420));
     const points = Array.from(closed.x, (x, i) => [x, closed.y[i]]).concat(system.poles.map((p) => [p.re, p.im]));
@@ -70,6 +92,13 @@ export class ResponsePanel {
     const row = element('div', { class: 'row' }, ...Object.values(this.lists).map(({ node }) => node));
     this.panel = panel('responses', 'Responses', () => bench.schedule(), row, this.canvas);
     this.node = this.panel.node;
+    this.#choices();
+  }
+
+  #choices() {
+    const { desk } = this.bench;
+    for (const [name, { list }] of Object.entries(this.lists)) if (list.value !== String(desk.view[name])) list.value = desk.view[name];
+    this.lists.gust.node.hidden = desk.response.kind !== 'gust';
   }
 
   draw(width) {
@@ -83,8 +112,7 @@ export class ResponsePanel {
     const height = heightOf(width, Object.keys(this.found).length);
     if (this.height !== height) this.canvas.style.height = `${(this.height = height)}px`;
     drawResponses(contextOf(this.canvas, width, height), width, height, theme, this.times, this.found, system.units);
-    for (const [name, { list }] of Object.entries(this.lists)) if (list.value !== String(desk.view[name])) list.value = desk.view[name];
-    this.lists.gust.node.hidden = desk.response.kind !== 'gust';
+    this.#choices();
   }
 
   later() {
