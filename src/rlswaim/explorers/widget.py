@@ -19,10 +19,33 @@ from numpy.typing import NDArray
 
 from rlswaim import checks
 from rlswaim.explorers.multiaffine import MultiAffine
+from rlswaim.explorers.still import still
 from rlswaim.tables import script
 
 Value = float | int | str
-SOURCES = ("roots", "locus", "picture", "explorer")
+SOURCES = (
+    "roots",
+    "locus",
+    "response",
+    "modes",
+    "window",
+    "dom",
+    "svg",
+    "picture",
+    "planes",
+    "charts",
+    "bent",
+    "table",
+    "words",
+    "history",
+    "address",
+    "export",
+    "interact",
+    "desk",
+    "locusplane",
+    "panels",
+    "explorer",
+)
 
 
 def module() -> str:
@@ -121,7 +144,7 @@ class Explorer(anywidget.AnyWidget):
     _esm = module()
     _css = script("explorer.css")
     payload = traitlets.Dict().tag(sync=True)
-    magnify = traitlets.Float(1.0, help="enlargement about the origin").tag(sync=True)
+    magnify = traitlets.Float(1.0, help="of the small window about the origin; 1: none").tag(sync=True)
 
     def __init__(
         self,
@@ -132,7 +155,8 @@ class Explorer(anywidget.AnyWidget):
         closed_loop: Callable[..., control.StateSpace],
         values: Mapping[str, Value],
     ) -> None:
-        self.system, self.parameters, self._closed_loop = system, tuple(parameters), closed_loop
+        self.system, self.parameters, self._form = system, tuple(parameters), form
+        self._closed_loop = closed_loop
         wrong = sorted(set(values) ^ {p.name for p in parameters})
         if wrong:
             known = ", ".join(p.name for p in parameters)
@@ -173,6 +197,24 @@ class Explorer(anywidget.AnyWidget):
         shown = ", ".join(f"{name} = {value}" for name, value in self.values().items())
         return f"{self.system} explorer: {shown}"
 
+    def _factors(self) -> dict[str, Any]:
+        """Return the values of the polynomial's factors: parameters, and shapes at their stations."""
+        values = self.values()
+        shapes = {name: s["values"][int(values[s["at"]])] for name, s in self.payload["shapes"].items()}
+        choice = self.payload["choice"]
+        out = choice["zero"][values[choice["name"]]] if choice else ()
+        known = {**values, **shapes, **dict.fromkeys(out, 0.0)}
+        return {name: known[name] for name in self._form.factors}
+
+    def still(self) -> str:
+        """Return the root locus in the gain that is closed last, as base64 of a PNG."""
+        running = self.payload["closing"][-1]
+        gain, factors = getattr(self, running), self._factors()
+        D = self._form(**{**factors, running: 0.0})
+        N = self._form(**{**factors, running: -1.0 if gain < 0 else 1.0}) - D
+        return still(D, N, self.poles(), f"poles at {running} = {gain:g}")
+
     def _repr_mimebundle_(self, **kwargs: object) -> Any:
         bundle = self.panel._repr_mimebundle_(**kwargs)
-        return {**bundle, "text/plain": repr(self)}
+        still = {"image/png": self.still()} if "closing" in self.payload else {}
+        return {**bundle, **still, "text/plain": repr(self)}

@@ -1,82 +1,16 @@
-// The view: parameters in, picture, table and words out. The same state always gives the same picture.
-import { closedLoopPoles, namedPoles, openLoop, poleMap, rootLocus } from './locus.js';
-import { Picture, SIGNS, viewOf } from './picture.js';
-import { roots } from './roots.js';
+// The workbench: parameters in; pictures, table and words out. The same state always gives the same picture.
+import { readAddress, writeAddress } from './address.js';
+import { Desk } from './desk.js';
+import { button, buttons, element, onThemeChange, panel, press, select, set, symbol, themeOf } from './dom.js';
+import { copy, download, pythonOf, svgOf } from './export.js';
+import { History } from './history.js';
+import { closedLoop, margins } from './locus.js';
+import { LocusPlane, MAGNIFY } from './locusplane.js';
+import { helpPanel, MapPanel, ModePanel, ResponsePanel } from './panels.js';
+import { PoleTable, polesAsText } from './table.js';
+import { crossingWords, marginWords, verdict } from './words.js';
 
-const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
-
-function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
-  return made;
-}
-
-// K_A -> K with subscript A
-function symbol(name) {
-  const [letter, index] = name.split('_');
-  return index ? [element('i', {}, letter), element('sub', {}, index)] : [letter];
-}
-
-const set = (node, text) => node.textContent === text || (node.textContent = text);
-
-function digits(value, count) {
-  if (value !== 0 && Math.abs(value) < 1e-3) return value.toExponential(count - 1);
-  return value === 0 ? '0' : value.toPrecision(count);
-}
-
-const number = (value, count = 4) => digits(value, count).replace(/(\.\d*?)0+(?=e|$)/, '$1').replace(/\.(?=e|$)/, '').replaceAll('-', '−');
-
-// A cell with eight digits, of which the last three are set back: enough to compare, easy to read.
-class Figure {
-  constructor() {
-    this.parts = [new Text(), new Text(), new Text()];
-    this.cell = element('td', {}, this.parts[0], element('span', { class: 'fine' }, this.parts[1]), this.parts[2]);
-  }
-
-  show(value) {
-    if (value === this.value) return;
-    this.value = value;
-    const text = Number.isNaN(value) ? '–' : digits(value, 8);
-    const end = text.includes('e') ? text.indexOf('e') : text.length;
-    const kept = end > 3 ? end - 3 : end;
-    [text.slice(0, kept), text.slice(kept, end), text.slice(end)].forEach((part, k) => (this.parts[k].data = part));
-  }
-}
-
-function spoken(pole, poles) {
-  const at = `${pole.re > 0 ? '+' : ''}${number(pole.re)}`;
-  if (pole.im === 0) return `a real root at ${at} 1/s (from ${pole.name})`;
-  const off = poles.map((p) => Math.hypot(p.re - pole.re, p.im + pole.im));
-  const twin = poles[off.indexOf(Math.min(...off))].name;
-  return `a pair at ${at} ± ${number(pole.im)}j 1/s (from ${twin === pole.name ? twin : `${pole.name} and ${twin}`})`;
-}
-
-// In words: is it stable, and why.
-export function verdict(poles) {
-  const upper = poles.filter((p) => p.im >= 0).sort((a, b) => b.re - a.re);
-  const bad = upper.filter((p) => p.re > 0);
-  const worst = bad[0] ?? upper[0];
-  if (bad.length) {
-    const count = poles.filter((p) => p.re > 0).length;
-    const also = bad.slice(1).map((p) => spoken(p, poles));
-    return {
-      word: 'unstable',
-      short: `Unstable: ${count} of ${poles.length} roots ${count > 1 ? 'lie' : 'lies'} right of the imaginary axis.`,
-      long: ` because of ${spoken(worst, poles)}: its motion doubles every ${number(Math.LN2 / worst.re, 3)} s.${
-        also.length ? ` Also right of the axis: ${also.join('; ')}.` : ''
-      }`,
-    };
-  }
-  if (worst.re === 0) {
-    return { word: 'neutral', short: 'Neutrally stable: a root lies on the imaginary axis.', long: `: ${spoken(worst, poles)} neither grows nor decays.` };
-  }
-  return {
-    word: 'stable',
-    short: 'Stable: all roots lie left of the imaginary axis.',
-    long: `: all roots lie left of the imaginary axis. The slowest is ${spoken(worst, poles)}; its motion halves every ${number(-Math.LN2 / worst.re, 3)} s.`,
-  };
-}
+const LAG = 160; // ms until words that nobody watches follow the picture
 
 // Each parameter and the place of its slider keep each other: a slider that moves sets the value, a value set
 // otherwise moves the slider to the nearest place and stays as it is.
@@ -104,247 +38,297 @@ function initialize({ model }) {
   }
 }
 
-function apply(model, values) {
-  for (const [name, value] of Object.entries(values)) model.set(name, value);
-  model.save_changes();
-}
-
-function mix(color, share) {
-  if (!share) return color;
-  const parts = color.match(/[0-9a-f]{2}/gi).map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
-  return `rgb(${parts.join()})`;
-}
-
-// The page's colors, read anew only when its theme changes.
-function themeOf(root, system) {
-  const style = getComputedStyle(root);
-  const read = (name) => style.getPropertyValue(`--${name}`).trim();
-  const lift = Number(read('lift'));
-  const names = Object.keys(system.branches);
-  const branches = Object.fromEntries(names.map((name, i) => [name, { color: mix(system.branches[name], lift), mark: i }]));
-  return {
-    ...Object.fromEntries(['plane', 'unstable', 'grid', 'axis', 'ink', 'muted'].map((name) => [name, read(name)])),
-    branch: (name) => branches[name],
-  };
-}
-
-function onThemeChange(act) {
-  const watch = new MutationObserver(act);
-  for (const node of [document.documentElement, document.body]) {
-    watch.observe(node, { attributes: true, attributeFilter: ['data-theme', 'data-mode', 'data-jp-theme-light', 'class'] });
-  }
-  const media = matchMedia('(prefers-color-scheme: dark)');
-  media.addEventListener('change', act);
-  return () => {
-    watch.disconnect();
-    media.removeEventListener('change', act);
-  };
-}
-
-function buttons(label, entries, press) {
-  const made = entries.map(([text, title]) => element('button', { type: 'button', ...(title && { title }) }, text));
-  made.forEach((button, i) => button.addEventListener('click', () => press(i)));
-  return { group: element('div', { class: 'buttons', role: 'group', 'aria-label': label }, element('span', {}, label), ...made), made };
-}
-
-function plane(kind) {
-  const canvas = element('canvas', { role: 'img', 'data-plane': kind });
-  const caption = element('figcaption');
-  return { canvas, caption, figure: element('figure', {}, caption, canvas) };
-}
-
 function legend() {
   const entries = [
     ['×', 'open-loop pole'],
     ['○', 'open-loop zero'],
     ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
     ['▸', 'rising gain'],
-    ['◇', 'crossing, with its gain'],
-    ['•', 'break-away point; in the map, every 100 ft'],
-    ['╌', 'a pair whose two roots left different poles'],
+    ['◇', 'crossing: gain and ω'],
+    ['•', 'break-away; in the map, every 100 ft'],
+    ['╌', 'a pair whose roots left different poles'],
+    ['+', 'printed in the report'],
   ];
   const item = ([sign, meaning]) => element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
   return element('ul', { class: 'legend' }, ...entries.map(item));
 }
 
-class PoleTable {
-  constructor() {
-    const heads = ['leaves from', 'real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'];
-    const head = element('tr', {}, ...heads.map((text) => element('th', { scope: 'col' }, text)));
-    this.body = element('tbody');
-    this.rows = [];
-    this.node = element('table', { class: 'poles' }, element('caption', {}, 'Closed-loop poles'), element('thead', {}, head), this.body);
+class Workbench {
+  constructor(model, el) {
+    Object.assign(this, { model, el, system: model.get('payload'), desk: new Desk(model), width: 0, frame: 0 });
+    this.schedule = () => (this.frame ||= requestAnimationFrame(() => this.#draw()));
+    this.past = new History(() => this.desk.snapshot(), (state) => this.#restore(state), () => this.#tellHistory());
+    this.plane = new LocusPlane(this);
+    this.map = new MapPanel(this);
+    this.responses = new ResponsePanel(this);
+    this.mode = new ModePanel(this);
+    this.seen = new Map([this.map, this.responses, this.mode].map((part) => [part.canvas, true]));
+    this.#build();
+    this.#listen();
   }
 
-  #newRow() {
-    const sign = element('span', { 'aria-hidden': 'true' });
-    const name = new Text();
-    const figures = Array.from({ length: 4 }, () => new Figure());
-    const word = element('td');
-    const node = element('tr', {}, element('th', { scope: 'row' }, sign, ' ', name), ...figures.map((f) => f.cell), word);
-    this.body.append(node);
-    this.rows.push({ node, sign, name, figures, word });
+  #build() {
+    const { system, el } = this;
+    el.classList.add('rlswaim-explorer');
+    el.dataset.explorer = system.system;
+    el.dataset.lmSuppressShortcuts = 'true'; // JupyterLab keeps its own keys out
+    this.table = new PoleTable();
+    this.word = element('b');
+    this.reason = element('span');
+    this.live = element('span', { class: 'unseen', role: 'status', 'aria-live': 'polite' });
+    this.running = element('span');
+    this.crossings = element('span');
+    this.margins = element('span');
+    const scroll = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' }, this.table.node);
+    const poles = panel('table', 'Closed-loop poles', () => {}, scroll);
+    poles.node.open = this.map.node.open = this.responses.node.open = true;
+    el.append(
+      this.#presets(), this.#bar(), element('p', { class: 'verdict' }, this.word, this.reason), this.live, this.plane.node,
+      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins), legend(),
+      element('div', { class: 'panels' }, poles.node, this.map.node, this.responses.node, this.mode.node, this.#takeaway(), helpPanel()),
+    );
   }
 
-  show(poles, theme) {
-    while (this.rows.length < poles.length) this.#newRow();
-    while (this.rows.length > poles.length) this.rows.pop().node.remove();
-    poles.forEach(({ re, im, name }, i) => {
-      const row = this.rows[i];
-      const { color, mark } = theme.branch(name);
-      if (row.color !== color) row.sign.style.color = row.color = color;
-      set(row.sign, SIGNS[mark]);
-      if (row.name.data !== name) row.name.data = name;
-      if (row.re === re && row.im === im) return;
-      [row.re, row.im] = [re, im];
-      Object.assign(row.node.dataset, { re, im, branch: name });
-      const size = Math.hypot(re, im);
-      [re, im, size, -re / size].forEach((value, k) => row.figures[k].show(value));
-      const [word, kind] = re > 0 ? ['unstable', 'unstable'] : [re < 0 ? 'stable' : 'neutrally stable', 'stable'];
-      set(row.word, word);
-      if (row.word.className !== kind) row.word.className = kind;
+  #presets() {
+    const entries = this.system.presets.map((p) => [p.name, [p.label, p.note].filter(Boolean).join(': ')]);
+    this.designs = buttons('Designs', [...entries, ['Reset']], (i) => this.#preset(i));
+    return this.designs.group;
+  }
+
+  #preset(i) {
+    const preset = this.system.presets[i];
+    if (!preset) this.desk.reset();
+    else this.desk.set(preset.values, { locus: this.desk.locusOf(i), printed: i, camera: null });
+    this.#changed();
+  }
+
+  #bar() {
+    this.loci = select('Locus in', this.desk.loci.map(({ key, text }) => [key, text]), (locus) => this.look({ locus, camera: null }));
+    this.inset = select('Origin', MAGNIFY.map((m) => [m, m === 1 ? 'as it is' : `×${m.toLocaleString('en')} inset`]), (m) => {
+      this.desk.set({ magnify: Number(m) });
+      this.#changed();
     });
+    this.undo = button('↶', () => this.past.undo(), { 'aria-label': 'undo', title: 'undo (Ctrl+Z)' });
+    this.redo = button('↷', () => this.past.redo(), { 'aria-label': 'redo', title: 'redo (Ctrl+Shift+Z)' });
+    this.said = element('span', { class: 'said', 'aria-live': 'polite' });
+    const link = button('Copy link', () => this.#copy(this.#link(), 'link'), { hidden: this.#inLab() });
+    const steps = element('span', { class: 'steps' }, this.undo, this.redo, link, this.said);
+    return element('div', { class: 'bar' }, this.loci.node, this.inset.node, steps);
   }
-}
 
-const pairs = ({ x, y }) => Array.from(x, (re, i) => [re, y[i]]);
-
-// What the window must hold: all poles, and zeros unless they lie far outside.
-function worthSeeing(system, state) {
-  const poles = [...pairs(namedPoles(system, state)), ...pairs(closedLoopPoles(system, state))];
-  const far = 1.5 * Math.max(...poles.map(([x, y]) => Math.hypot(x, y)));
-  const zeros = pairs(roots(openLoop(system, state).N));
-  return [...poles, ...zeros.filter(([x, y]) => Math.hypot(x, y) <= far)];
-}
-
-function drawLocus(canvas, view, theme, locus) {
-  const picture = new Picture(canvas, view, theme);
-  picture.background();
-  picture.branches(locus.branches, locus.open.branches, 2);
-  picture.arrows(locus.branches, locus.open.branches, 110);
-  for (const { x, y } of locus.breaks) picture.dot(x, y, theme.ink);
-  picture.zeros(locus.zeros);
-  picture.crosses(locus.open);
-  for (const crossing of locus.crossings) picture.crossing(crossing);
-  picture.poles(locus.present, locus.open.branches);
-  picture.finish();
-}
-
-function drawMap(canvas, view, theme, locus, sides, unit) {
-  const names = locus.open.branches;
-  const picture = new Picture(canvas, view, theme);
-  picture.background();
-  for (const side of sides) picture.branches(side, names, 2);
-  for (const side of sides) {
-    for (const p of side) {
-      if (p.t % 100 === 0) names.forEach((name, i) => p.y[i] >= 0 && picture.dot(p.x[i], p.y[i], theme.branch(name).color));
-    }
+  #takeaway() {
+    this.code = element('code');
+    const shown = element('pre', { tabindex: '0' }, this.code);
+    const row = element('div', { class: 'row' },
+      button('Picture (SVG)', () => this.#save('svg')),
+      button('Poles (CSV)', () => this.#save('csv')),
+      button('Copy as Python', () => this.#copy(pythonOf(this.system, this.desk.state), 'call')),
+    );
+    return panel('takeaway', 'Take away: picture, poles, Python', () => this.#tellLater(), row, shown).node;
   }
-  for (const side of sides) {
-    const end = side.at(-1);
-    names.forEach((name, i) => {
-      const moved = Math.hypot(end.x[i] - locus.present.x[i], end.y[i] - locus.present.y[i]) * view.scale;
-      if (end.y[i] >= 0 && moved > 14) picture.text(`${end.t} ${unit}`, view.X(end.x[i]) + 6, view.Y(end.y[i]) - 8, theme.muted, 'left');
+
+  #inLab() {
+    return document.body.dataset.jpThemeLight !== undefined;
+  }
+
+  // A page may show a system twice: the second is told apart by a number.
+  get #name() {
+    const twins = [...document.querySelectorAll(`[data-explorer="${this.system.system}"]`)];
+    const at = twins.indexOf(this.el);
+    return at > 0 ? `${this.system.system}.${at + 1}` : this.system.system;
+  }
+
+  #link() {
+    this.#writeAddress();
+    return location.href;
+  }
+
+  async #copy(text, what) {
+    const done = await copy(text);
+    set(this.said, done ? `${what} copied` : `no clipboard here: the ${what} stands ${what === 'link' ? 'in the address bar' : 'below'}`);
+    setTimeout(() => set(this.said, ''), 4000);
+  }
+
+  #save(kind) {
+    const { plane, system } = this;
+    if (kind === 'csv') return download(`${system.system}-poles.csv`, 'text/csv', polesAsText(this.poles));
+    const { width, height } = plane.view;
+    const text = svgOf(width, height, plane.canvas.ariaLabel ?? system.system, this.theme.plane, (g) => plane.paint(g));
+    download(`${system.system}-locus.svg`, 'image/svg+xml', text);
+  }
+
+  // What the rooms of the workbench ask for.
+
+  look(view) {
+    Object.assign(this.desk.view, view);
+    this.#changed();
+  }
+
+  put(name, value) {
+    this.desk.set({ [name]: value });
+  }
+
+  openMode(re, im) {
+    const { x, y } = this.closed;
+    const off = Array.from(x, (v, i) => Math.hypot(v - re, y[i] - im));
+    const mode = off.indexOf(Math.min(...off));
+    if (off[mode] > 1e-5 * Math.hypot(re, im) + 1e-9) return set(this.said, 'another loop is open here: not a pole of the whole system');
+    this.mode.node.open = true;
+    this.look({ mode });
+  }
+
+  // The closed-loop pole whose mode is shown; none while the panel is closed.
+  selected({ x, y, branches }) {
+    if (!this.mode.node.open) return null;
+    const index = Math.min(this.desk.view.mode, x.length - 1);
+    return { index, re: x[index], im: y[index], name: branches[index] };
+  }
+
+  isSeen(part) {
+    return part.node.open && this.seen.get(part.canvas);
+  }
+
+  #changed() {
+    this.past.note();
+    this.schedule();
+  }
+
+  #restore(snapshot) {
+    this.desk.restore(snapshot);
+    this.schedule();
+  }
+
+  #tellHistory() {
+    this.undo.disabled = this.past.past.length === 0;
+    this.redo.disabled = this.past.future.length === 0;
+  }
+
+  #draw() {
+    this.frame = 0;
+    if (this.width === 0) return; // not on the page yet
+    const start = performance.now();
+    const { desk, system } = this;
+    this.theme ??= themeOf(this.el, system);
+    this.closed = closedLoop(system, desk.state);
+    this.poles = Array.from(this.closed.x, (re, i) => ({ re, im: this.closed.y[i], name: this.closed.branches[i] }));
+    this.locus = this.plane.draw(this.width, this.height, this.closed);
+    for (const part of [this.map, this.responses, this.mode]) if (this.isSeen(part)) part.draw(this.inner, this.closed);
+    this.#tell();
+    this.el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail: { ms: performance.now() - start } }));
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.#tellLater(), LAG);
+  }
+
+  #tell() {
+    const { desk, locus } = this;
+    const { running } = desk.what;
+    this.verdict = verdict(this.poles);
+    const { word, long } = this.verdict;
+    this.table.show(this.poles, this.theme);
+    set(this.word, word === 'neutral' ? 'Neutrally stable' : word[0].toUpperCase() + word.slice(1));
+    set(this.reason, long);
+    if (this.word.className !== word) this.word.className = word;
+    if (this.named !== running) this.running.replaceChildren(...symbol((this.named = running)));
+    set(this.crossings, crossingWords(locus.crossings));
+    set(this.margins, marginWords(margins(this.system, desk.state, desk.what)));
+    this.system.presets.forEach((_, i) => press(this.designs.made[i], desk.isDesign(i)));
+    if (this.loci.list.value !== desk.view.locus) this.loci.list.value = desk.view.locus;
+    const magnify = String(this.model.get('magnify'));
+    if (this.inset.list.value !== magnify) this.inset.list.value = magnify;
+  }
+
+  // Words for a screen reader, the address and the call of the library follow when the hand rests.
+  #tellLater() {
+    if (!this.verdict) return;
+    const { word, short, long } = this.verdict;
+    set(this.live, short);
+    this.plane.later(`${word}${long}`);
+    if (this.map.sides) this.map.later(short);
+    this.responses.later();
+    this.mode.later();
+    set(this.code, pythonOf(this.system, this.desk.state));
+    this.#writeAddress();
+  }
+
+  #writeAddress() {
+    if (!this.#inLab()) writeAddress(this.#name, this.desk.toAddress());
+  }
+
+  #readAddress() {
+    if (this.#inLab()) return;
+    const texts = readAddress(this.#name);
+    if (Object.keys(texts).length === 0) return;
+    this.desk.fromAddress(texts);
+    if ('view.mode' in texts) this.mode.node.open = true;
+    this.schedule();
+  }
+
+  #arrive() {
+    if (this.arrived || !this.el.isConnected) return;
+    this.arrived = true;
+    this.#readAddress();
+    this.past.present = this.desk.snapshot();
+    this.#tellHistory();
+  }
+
+  #listen() {
+    const { model, el } = this;
+    const changed = () => this.#changed();
+    const names = [...this.desk.names, 'magnify'];
+    for (const name of names) model.on(`change:${name}`, changed);
+    const resized = new ResizeObserver(() => this.#measure());
+    resized.observe(this.plane.canvas);
+    const watch = new IntersectionObserver((entries) => this.#noteSeen(entries), { rootMargin: '120px' });
+    for (const canvas of this.seen.keys()) watch.observe(canvas);
+    const unwatch = onThemeChange(() => {
+      this.theme = undefined;
+      this.schedule();
     });
+    const keys = (event) => this.#key(event);
+    const address = () => this.#readAddress();
+    document.addEventListener('keydown', keys);
+    addEventListener('hashchange', address);
+    this.stop = () => {
+      cancelAnimationFrame(this.frame);
+      clearTimeout(this.timer);
+      this.past.stop();
+      this.mode.stop();
+      this.map.stop();
+      for (const observer of [resized, watch]) observer.disconnect();
+      unwatch();
+      document.removeEventListener('keydown', keys);
+      removeEventListener('hashchange', address);
+      for (const name of names) model.off(`change:${name}`, changed);
+    };
   }
-  picture.poles(locus.present, names);
-  picture.finish();
+
+  #measure() {
+    this.#arrive();
+    const { clientWidth, clientHeight } = this.plane.canvas;
+    [this.width, this.height] = [clientWidth, clientHeight];
+    this.inner = Math.max(...[...this.seen.keys()].map((canvas) => canvas.clientWidth)) || clientWidth;
+    this.schedule();
+  }
+
+  #noteSeen(entries) {
+    for (const { target, isIntersecting } of entries) this.seen.set(target, isIntersecting);
+    if (entries.some(({ isIntersecting }) => isIntersecting)) this.schedule();
+  }
+
+  // Ctrl+Z anywhere in the workbench or on its sliders, but not in a field that has an undo of its own.
+  #key(event) {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+    const room = this.el.closest('.widget-vbox') ?? this.el;
+    if (!room.contains(event.target) || event.target.matches('input:not([type=range]), textarea')) return;
+    event.preventDefault();
+    if (event.shiftKey) this.past.redo();
+    else this.past.undo();
+  }
 }
 
 function render({ model, el }) {
-  const system = model.get('payload');
-  const running = system.locus.parameter;
-  const moving = system.map;
-  el.classList.add('rlswaim-explorer');
-  el.dataset.explorer = system.system;
-
-  const presets = buttons('Designs', [...system.presets.map((p) => [p.name, `the report's ${p.name}`]), ['Reset']], (i) =>
-    apply(model, system.presets[i]?.values ?? { ...system.initial, magnify: 1 }),
-  );
-  const zoom = buttons('Magnify', MAGNIFY.map((m) => [`×${m.toLocaleString('en')}`, `${m} times about the origin`]), (i) =>
-    apply(model, { magnify: MAGNIFY[i] }),
-  );
-  const word = element('b');
-  const reason = element('span');
-  const live = element('span', { class: 'unseen', role: 'status', 'aria-live': 'polite' });
-  const locusPlane = plane('locus');
-  const mapPlane = plane('map');
-  const crossings = element('span');
-  const poleTable = new PoleTable();
-  const locusEnd = element('span');
-  const locusNow = element('small');
-  const mapNow = element('small');
-  locusPlane.caption.append(element('b', {}, 'Root locus'), ', ', ...symbol(running), ' from 0 to ', locusEnd, locusNow);
-  mapPlane.caption.append(element('b', {}, 'Pole map'), `, ${moving.parameter} from ${moving.ends.join(' to ')} ${moving.unit}`, mapNow);
-  el.append(
-    presets.group,
-    element('p', { class: 'verdict' }, word, reason),
-    live,
-    element('div', { class: 'planes' }, locusPlane.figure, mapPlane.figure),
-    zoom.group,
-    legend(),
-    element('p', { class: 'crossings' }, ...symbol(running), crossings),
-    element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' }, poleTable.node),
-  );
-
-  let theme;
-  let frame = 0;
-  let [width, height] = [0, 0];
-
-  function draw() {
-    frame = 0;
-    const state = Object.fromEntries(system.parameters.map(({ name }) => [name, model.get(name)]));
-    if (width === 0) return; // not on the page yet
-    const start = performance.now();
-    theme ??= themeOf(el, system);
-    const view = viewOf(worthSeeing(system, state), width, height, model.get('magnify'));
-    const locus = rootLocus(system, state, view);
-    const sides = poleMap(system, state, locus.present, view);
-    drawLocus(locusPlane.canvas, view, theme, locus);
-    drawMap(mapPlane.canvas, view, theme, locus, sides, moving.unit);
-    tell(state, locus, sides);
-    el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail: { ms: performance.now() - start } }));
-  }
-
-  function tell(state, locus, sides) {
-    const poles = Array.from(locus.present.x, (re, i) => ({ re, im: locus.present.y[i], name: locus.open.branches[i] }));
-    const { word: status, short, long } = verdict(poles);
-    poleTable.show(poles, theme);
-    set(word, status === 'neutral' ? 'Neutrally stable' : status[0].toUpperCase() + status.slice(1));
-    set(reason, long);
-    set(live, short);
-    word.className = status;
-    set(locusEnd, number(locus.end));
-    set(locusNow, `filled marks at ${number(state[running])}`);
-    const still = `${number(state[moving.parameter])} ${moving.unit}`;
-    set(mapNow, sides.length ? `filled marks at ${still}` : `no influence: the feedback leaves out the bending`);
-    const list = locus.crossings.map((c) => `${number(c.gain)} (ω = ${number(c.omega)} rad/s, to the ${c.direction > 0 ? 'right' : 'left'})`);
-    set(crossings, list.length ? `: imaginary axis crossed at ${list.join(', ')}.` : ': no branch crosses the imaginary axis.');
-    locusPlane.canvas.setAttribute('aria-label', `Root locus in ${running} from 0 to ${number(locus.end)}. At ${running} = ${number(state[running])}: ${status}${long}`);
-    mapPlane.canvas.setAttribute('aria-label', `Closed-loop poles as the ${moving.parameter} runs from ${moving.ends.join(' to ')} ${moving.unit}. At ${still}: ${short}`);
-    const same = (values) => Object.entries(values).every(([name, value]) => state[name] === value);
-    system.presets.forEach((p, i) => presets.made[i].setAttribute('aria-pressed', same(p.values)));
-    MAGNIFY.forEach((m, i) => zoom.made[i].setAttribute('aria-pressed', m === model.get('magnify')));
-  }
-
-  const schedule = () => (frame ||= requestAnimationFrame(draw));
-  const names = [...system.parameters.map((p) => p.name), 'magnify'];
-  for (const name of names) model.on(`change:${name}`, schedule);
-  const resized = new ResizeObserver(([entry]) => {
-    ({ width, height } = entry.contentRect);
-    schedule();
-  });
-  resized.observe(locusPlane.canvas);
-  const unwatch = onThemeChange(() => {
-    theme = undefined;
-    schedule();
-  });
-  return () => {
-    cancelAnimationFrame(frame);
-    resized.disconnect();
-    unwatch();
-    for (const name of names) model.off(`change:${name}`, schedule);
-  };
+  const bench = new Workbench(model, el);
+  return bench.stop;
 }
 
 export default { initialize, render };

@@ -1,0 +1,40 @@
+// The state of each explorer of a page in the page's address: #rate-attitude:K_A=1.8,K_C=10&single-sensor:K_z=2
+
+const PART = /^([\w-]+(?:\.\d+)?):(.*)$/;
+
+function partsOf(hash) {
+  return new Map(hash.replace(/^#/, '').split('&').map((part) => PART.exec(part)?.slice(1)).filter(Boolean));
+}
+
+// A text that came from elsewhere may be broken: then it says nothing.
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return '';
+  }
+}
+
+// The explorer's own part of the address, as texts by name.
+export function readAddress(name, hash = location.hash) {
+  const own = partsOf(hash).get(name);
+  if (!own) return {};
+  return Object.fromEntries(own.split(',').map((pair) => pair.split('=').map(decoded)).filter((pair) => pair.length === 2));
+}
+
+// The page's address with the explorer's part replaced, or left out if there is nothing to say.
+export function addressWith(name, values, hash = location.hash) {
+  const all = partsOf(hash);
+  const own = Object.entries(values).map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join(',');
+  if (own) all.set(name, own);
+  else all.delete(name);
+  const joined = [...all].map(([key, value]) => `${key}:${value}`).join('&');
+  return joined ? `#${joined}` : '';
+}
+
+export function writeAddress(name, values) {
+  const hash = addressWith(name, values);
+  // An anchor of the page stays until there is something to say.
+  if (hash === location.hash || (!hash && partsOf(location.hash).size === 0)) return;
+  history.replaceState(history.state, '', hash || location.pathname + location.search);
+}

@@ -1,0 +1,98 @@
+// Small tools for the page: elements, numbers as text, controls, the colors of the page's theme.
+
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== false && value !== undefined) made.setAttribute(name, value === true ? '' : value);
+  }
+  made.append(...children);
+  return made;
+}
+
+// K_A -> K with subscript A
+export function symbol(name) {
+  const [letter, index] = name.split('_');
+  return index ? [element('i', {}, letter), element('sub', {}, index)] : [letter];
+}
+
+export const set = (node, text) => node.textContent === text || (node.textContent = text);
+
+export function press(button, pressed) {
+  if (button.getAttribute('aria-pressed') !== String(pressed)) button.setAttribute('aria-pressed', pressed);
+}
+
+export function digits(value, count) {
+  if (value !== 0 && Math.abs(value) < 1e-3) return value.toExponential(count - 1);
+  return value === 0 ? '0' : value.toPrecision(count);
+}
+
+const short = (text) => text.replace(/(\.\d*?)0+(?=e|$)/, '$1').replace(/\.(?=e|$)/, '');
+
+export function number(value, count = 4) {
+  const size = Math.abs(value);
+  const large = size >= 10 ** (count - 1) && size < 1e6;
+  const text = large ? String(Number(value.toPrecision(count))) : short(digits(value, count));
+  return text.replaceAll('-', '−').replace('e+', 'e');
+}
+
+// A value of a slider, for a program or an address: with as many digits as it takes.
+export const plain = (value) => (typeof value === 'number' ? String(value) : value);
+
+export const complex = (re, im) => (im === 0 ? number(re) : `${number(re)} ${im < 0 ? '−' : '+'} ${number(Math.abs(im))}j`);
+
+export function button(text, act, attributes = {}) {
+  const made = element('button', { type: 'button', ...attributes }, text);
+  made.addEventListener('click', act);
+  return made;
+}
+
+export function buttons(label, entries, act) {
+  const made = entries.map(([text, title], i) => button(text, () => act(i), { title }));
+  return { group: element('div', { class: 'buttons', role: 'group', 'aria-label': label }, element('span', {}, label), ...made), made };
+}
+
+// entries: [[value, text], ...]
+export function select(label, entries, act) {
+  const list = element('select', {}, ...entries.map(([value, text]) => element('option', { value }, text)));
+  list.addEventListener('change', () => act(list.value));
+  return { list, node: element('label', {}, element('span', {}, label), list) };
+}
+
+// A part of the workbench that costs nothing while it is closed.
+export function panel(name, title, toggled, ...children) {
+  const extra = element('small');
+  const node = element('details', { class: `panel ${name}` }, element('summary', {}, element('b', {}, title), extra), ...children);
+  node.addEventListener('toggle', toggled);
+  return { node, extra };
+}
+
+function mix(color, share) {
+  if (!share) return color;
+  const parts = color.match(/[0-9a-f]{2}/gi).map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
+  return `rgb(${parts.join()})`;
+}
+
+const COLORS = ['plane', 'unstable', 'grid', 'axis', 'ink', 'muted', 'line', 'good', 'bad'];
+
+// The page's colors, read anew only when its theme changes.
+export function themeOf(root, system) {
+  const style = getComputedStyle(root);
+  const read = (name) => style.getPropertyValue(`--${name}`).trim();
+  const lift = Number(read('lift'));
+  const names = Object.keys(system.branches);
+  const branches = Object.fromEntries(names.map((name, i) => [name, { color: mix(system.branches[name], lift), mark: i }]));
+  return { ...Object.fromEntries(COLORS.map((name) => [name, read(name)])), branch: (name) => branches[name] };
+}
+
+export function onThemeChange(act) {
+  const watch = new MutationObserver(act);
+  for (const node of [document.documentElement, document.body]) {
+    watch.observe(node, { attributes: true, attributeFilter: ['data-theme', 'data-mode', 'data-jp-theme-light', 'class'] });
+  }
+  const media = matchMedia('(prefers-color-scheme: dark)');
+  media.addEventListener('change', act);
+  return () => {
+    watch.disconnect();
+    media.removeEventListener('change', act);
+  };
+}

@@ -1,0 +1,61 @@
+"""A live view on a blank page, with a stand-in for the notebook's model."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+from playwright.sync_api import Browser, Page
+from scipy.optimize import linear_sum_assignment
+
+from rlswaim.explorers import Explorer
+from rlswaim.explorers.widget import module
+
+MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
+
+
+def paired(first: np.ndarray, second: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return both root sets in the order of the pairing of least distance."""
+    rows, columns = linear_sum_assignment(abs(first[:, None] - second))
+    return first[rows], second[columns]
+
+
+def model_state(explorer: Explorer) -> dict:
+    """Return the traits that the view reads."""
+    places = {f"{p.name}_at": getattr(explorer, f"{p.name}_at") for p in explorer.parameters}
+    return {**explorer.values(), **places, "magnify": explorer.magnify, "payload": explorer.payload}
+
+
+@contextmanager
+def opened(browser: Browser, explorer: Explorer, address: str = "", **context) -> Iterator[Page]:
+    """Show the view on a page of its own; anything that the page complains about is an error."""
+    page = browser.new_context(**{"viewport": {"width": 900, "height": 900}, **context}).new_page()
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda line: line.type == "error" and errors.append(line.text))
+    if address:
+        page.goto(address)
+    page.evaluate(MODEL, [module(), explorer._css, model_state(explorer)])
+    yield page
+    assert not errors, errors
+    page.context.close()
+
+
+def show(page: Page, **values: object) -> None:
+    """Set values of the model and wait for the drawing; they must differ from the present ones."""
+    page.evaluate(
+        """async (values) => {
+             const done = drawn();
+             for (const [name, value] of Object.entries(values)) model.set(name, value);
+             await done;
+           }""",
+        values,
+    )
+
+
+def table(page: Page) -> np.ndarray:
+    """Return the poles in the table at full precision."""
+    rows = page.evaluate(
+        "() => [...el.querySelectorAll('.poles tbody tr')].map(r => [+r.dataset.re, +r.dataset.im])"
+    )
+    return np.array(rows) @ [1, 1j]
