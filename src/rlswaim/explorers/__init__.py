@@ -1,7 +1,20 @@
 """Live views: Python owns the physics, the browser evaluates the polynomials that Python sends."""
 
+from rlswaim.explorers.ascent import ascent_explorer
+from rlswaim.explorers.bent_vehicle import bent_vehicle_explorer
+from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
 from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_form
 from rlswaim.explorers.rate_attitude import rate_attitude_explorer
+from rlswaim.explorers.station_map import station_map_explorer
 from rlswaim.explorers.widget import Explorer
 
-__all__ = ["Explorer", "MultiAffine", "multiaffine_form", "rate_attitude_explorer"]
+__all__ = [
+    "Explorer",
+    "MultiAffine",
+    "ascent_explorer",
+    "bent_vehicle_explorer",
+    "coupled_vehicle_explorer",
+    "multiaffine_form",
+    "rate_attitude_explorer",
+    "station_map_explorer",
+]

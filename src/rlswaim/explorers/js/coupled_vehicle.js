@@ -25,24 +25,40 @@ function factorsOf(payload, state) {
   return factors;
 }
 
-function coefficientsOf(payload, factors, found = {}) {
-  for (const [name, products] of Object.entries(payload.coefficients)) {
+// Tables of sums of products, with numbers in place of names: they are summed thousands of times in a frame.
+const compiled = new WeakMap();
+
+function tablesOf(payload) {
+  if (!compiled.has(payload)) {
+    const names = Object.keys(payload.coefficients);
+    const factors = [...new Set(Object.values(payload.coefficients).flatMap((products) => products.flatMap(([, of]) => of)))];
+    const coefficients = Object.values(payload.coefficients).map((products) => products.filter(([weight]) => weight !== 0).map(([weight, of]) => [weight, of.map((name) => factors.indexOf(name))]));
+    const indexed = (table) => table.map(([weight, power, of]) => [weight, power, of.map((name) => names.indexOf(name))]);
+    const blocks = Object.entries(payload.blocks).map(([name, table]) => [name, indexed(table)]);
+    compiled.set(payload, { factors, coefficients, determinant: indexed(payload.determinant), blocks });
+  }
+  return compiled.get(payload);
+}
+
+function coefficientsOf({ factors, coefficients }, values, found) {
+  const given = factors.map((name) => values[name]);
+  for (let n = 0; n < coefficients.length; n++) {
     let sum = 0;
-    for (const [weight, names] of products) {
+    for (const [weight, of] of coefficients[n]) {
       let value = weight;
-      for (const factor of names) value *= factors[factor];
+      for (let k = 0; k < of.length; k++) value *= given[of[k]];
       sum += value;
     }
-    found[name] = sum;
+    found[n] = sum;
   }
   return found;
 }
 
 function polynomial(table, coefficients, c) {
   c.fill(0);
-  for (const [weight, power, names] of table) {
+  for (const [weight, power, of] of table) {
     let value = weight;
-    for (const name of names) value *= coefficients[name];
+    for (let k = 0; k < of.length; k++) value *= coefficients[of[k]];
     c[power] += value;
   }
   return c;
@@ -50,11 +66,12 @@ function polynomial(table, coefficients, c) {
 
 // The whole vehicle's, without the attitude's root at the origin.
 function fill(payload, factors, room, c) {
-  polynomial(payload.determinant, coefficientsOf(payload, factors, room.found), room.whole);
+  const tables = tablesOf(payload);
+  polynomial(tables.determinant, coefficientsOf(tables, factors, room.found), room.whole);
   for (let k = 0; k < c.length; k++) c[k] = room.whole[k + 1];
 }
 
-const room = () => ({ found: {}, whole: new Float64Array(8) });
+const room = () => ({ found: new Float64Array(24), whole: new Float64Array(8) });
 
 export function poles(payload, state) {
   const c = new Float64Array(7);
@@ -64,9 +81,10 @@ export function poles(payload, state) {
 
 // The poles that each motion would have by itself, with its name.
 function uncoupled(payload, state) {
-  const coefficients = coefficientsOf(payload, factorsOf(payload, state));
+  const tables = tablesOf(payload);
+  const coefficients = coefficientsOf(tables, factorsOf(payload, state), new Float64Array(24));
   const found = { x: [], y: [], names: [] };
-  for (const [name, table] of Object.entries(payload.blocks)) {
+  for (const [name, table] of tables.blocks) {
     const order = Math.max(...table.map(([, power]) => power));
     const c = polynomial(table, coefficients, new Float64Array(order + 1));
     const { x, y } = roots(name === 'short period' ? c.slice(1) : c);
