@@ -125,7 +125,7 @@ def level_at_burnout(ascent: Ascent) -> PitchProgram:
 
 
 def turn(upright: float, level: float) -> PitchProgram:
-    """Return gamma_0 of a flight straight up until ``upright`` (s), then turned evenly to level at ``level`` (s).
+    """Return gamma_0 of a flight upright until ``upright`` (s), then turned evenly to level at ``level`` (s).
 
     Raises
     ------

@@ -1,6 +1,8 @@
 """The live view of Section II: the ascent for other pitch programs than the one that the book assumes."""
 
-from functools import partial
+from collections.abc import Sequence
+from functools import cache, partial
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +13,12 @@ from rlswaim.figures.style import COLORS
 from rlswaim.trajectory import Ascent, Trajectory, fly, turn
 from rlswaim.vehicle import FlightCondition
 
-UPRIGHT = np.arange(0, 19, 6)
-LEVEL = np.array([100, 102, 104, 107, 110, 114, 118, 123, 128, 134, 141, 150, 160, 170, 180])
+UPRIGHT = (0, 6, 12, 18)
+LEVEL = (100, 102, 104, 107, 110, 114, 118, 123, 128, 134, 141, 150, 160, 170, 180)
 """Pitch programs (s) that are flown ahead; the view takes straight lines between them."""
-TIMES = np.arange(0.0, 100.1, 2.0)
+FINE = np.linspace(0.0, 100.0, 1001)
+TIMES = FINE[::20]
+"""Times (s) of the flights, and those at which they are sent."""
 CURVES = {"U": 1, "h": 0, "q_D": 1}
 """What is sent, and with how many decimals."""
 
@@ -22,8 +26,8 @@ CURVES = {"U": 1, "h": 0, "q_D": 1}
 def parameters() -> tuple[Parameter, ...]:
     """Return the sliders: whole seconds until which the path is vertical, and at which it is level."""
 
-    def slider(name: str, label: str, meaning: str, nodes: NDArray) -> Parameter:
-        low, high = int(nodes[0]), int(nodes[-1])
+    def slider(name: str, label: str, meaning: str, nodes: Sequence[int]) -> Parameter:
+        low, high = nodes[0], nodes[-1]
         check = partial(whole_between, low=low, high=high, unit="s")
         return Parameter(name, label, "s", meaning, tuple(range(low, high + 1)), check)
 
@@ -33,31 +37,32 @@ def parameters() -> tuple[Parameter, ...]:
     )
 
 
-def flights(ascent: Ascent, uprights: NDArray, levels: NDArray) -> dict[str, NDArray]:
+@cache
+def flights(ascent: Ascent, uprights: tuple[float, ...], levels: tuple[float, ...]) -> dict[str, NDArray]:
     """Return U, h, q_D of all pairs of programs at TIMES, shape (uprights, levels, times), and each peak.
 
     Returns
     -------
     dict
-        ``peak`` holds time (s) and size (lb/ft^2) of the largest dynamic pressure, shape (uprights, levels, 2).
+        ``peak`` holds time (s) and size (lb/ft^2) of the largest q_D; shape (uprights, levels, 2).
     """
-
-    def flown(times: NDArray) -> list[list[Trajectory]]:
-        return [[fly(ascent, turn(float(u), float(v)), times) for v in levels] for u in uprights]
-
-    coarse, fine = flown(TIMES), flown(np.arange(0.0, 100.05, 0.1))
-    tables = {name: np.array([[getattr(f, name) for f in row] for row in coarse]) for name in CURVES}
-    return {**tables, "peak": np.array([[f.peak for f in row] for row in fine])}
+    flown = [[fly(ascent, turn(u, v), FINE) for v in levels] for u in uprights]
+    tables = {name: np.array([[getattr(f, name)[::20] for f in row] for row in flown]) for name in CURVES}
+    return {**tables, "peak": np.array([[f.peak for f in row] for row in flown])}
 
 
 def between_nodes(tables: dict[str, NDArray], name: str) -> NDArray:
-    """Return a table's straight-line values in the middles of its cells; shape (uprights - 1, levels - 1, ...)."""
+    """Return a table's straight-line values in the middles of its cells."""
     t = tables[name]
     return (t[:-1, :-1] + t[1:, :-1] + t[:-1, 1:] + t[1:, 1:]) / 4
 
 
+def _middles(nodes: Sequence[float]) -> tuple[float, ...]:
+    return tuple((a + b) / 2 for a, b in pairwise(nodes))
+
+
 def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tuple[int, int]:
-    """Return the flown program (s, s) that comes nearest to the printed U, h and q_D: least largest relative miss."""
+    """Return the flown program (s, s) with the least largest relative miss of the printed U, h and q_D."""
 
     def miss(name: str) -> NDArray:
         wanted = getattr(flight, name)
@@ -68,7 +73,7 @@ def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tupl
 
     worst = np.max([miss(name) for name in CURVES], axis=0)
     i, k = np.unravel_index(worst.argmin(), worst.shape)
-    return int(UPRIGHT[i]), int(LEVEL[k])
+    return UPRIGHT[i], LEVEL[k]
 
 
 class AscentView(LiveView):
@@ -80,7 +85,7 @@ class AscentView(LiveView):
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
         self._ascent = ascent
         tables = flights(ascent, UPRIGHT, LEVEL)
-        middle = flights(ascent, (UPRIGHT[1:] + UPRIGHT[:-1]) / 2, (LEVEL[1:] + LEVEL[:-1]) / 2)
+        middle = flights(ascent, _middles(UPRIGHT), _middles(LEVEL))
         off = {name: float(abs(between_nodes(tables, name) - middle[name]).max()) for name in CURVES}
         start = {"upright": 0, "level": round(ascent.t_burn)}
         upright, level = nearest_program(tables, flight)
@@ -95,7 +100,7 @@ class AscentView(LiveView):
             ("Flat", "the flattest program of this view", {"upright": 0, "level": 100}),
         ]
         payload = {
-            "nodes": {"upright": UPRIGHT.tolist(), "level": LEVEL.tolist()},
+            "nodes": {"upright": UPRIGHT, "level": LEVEL},
             "times": TIMES.tolist(),
             "curves": {name: np.round(tables[name], digits).tolist() for name, digits in CURVES.items()},
             "peak": np.round(tables["peak"], 2).tolist(),
@@ -109,7 +114,7 @@ class AscentView(LiveView):
     def trajectory(self) -> Trajectory:
         """Return the flight under the sliders, integrated, at every tenth of a second up to 100 s."""
         program = turn(float(self.values()["upright"]), float(self.values()["level"]))
-        return fly(self._ascent, program, np.arange(0.0, 100.05, 0.1))
+        return fly(self._ascent, program, FINE)
 
 
 def ascent_explorer(ascent: Ascent, flight: FlightCondition, **values: Value) -> AscentView:

@@ -32,9 +32,7 @@ def parameters() -> tuple[Parameter, ...]:
         slider("q_2", r"\(q_2\)", "ft", "q_2, second bending mode, positive up (ft)", feet),
         slider("theta", r"\(\theta\)", "deg", "theta, pitch angle, nose up (degrees)", small),
         slider("alpha", r"\(\alpha\)", "deg", "alpha, angle of attack (degrees)", small),
-        slider(
-            "delta", r"\(\delta\)", "deg", "delta, thrust deflection, exhaust up (degrees)", 2.5 * small
-        ),
+        slider("delta", r"\(\delta\)", "deg", "delta, thrust deflection, exhaust up (degrees)", 2.5 * small),
     )
 
 
@@ -48,8 +46,9 @@ def forces(booster: Booster) -> dict[str, dict[str, dict[str, float]]]:
     Returns
     -------
     dict
-        ``[source][row][motion]``: source "thrust" or a surface's name, row Z (F_z in lb, down), M (M_y in ft lb,
-        nose up), F1 or F2 (Q_iz in lb); motions q_1, q_2 (per ft), alpha, delta (per degree) [Eqs. 14-17, 22-28].
+        ``[source][row][motion]``: source "thrust" or a surface's name; row Z (F_z in lb, down), M (M_y
+        in ft lb, nose up), F1 or F2 (Q_iz in lb); motions q_1, q_2 (per ft), alpha, delta (per degree)
+        [Eqs. 14-17, 22-28].
     """
     alone = {"thrust": replace(booster, surfaces=())}
     alone |= {s.name: replace(booster, surfaces=(s,), T=0.0) for s in booster.surfaces}
@@ -97,7 +96,11 @@ class BentVehicle(LiveView):
             ("Straight", "no motion: no force across", straight),
             ("Mode 1", "the first mode alone, by one foot", one),
             ("Mode 2", "the second mode alone, by one foot", {**straight, "q_2": 1.0}),
-            ("Thrust straight", "the thrust swung back by as much as mode 1 turns it", {**one, "delta": against}),
+            (
+                "Thrust straight",
+                "the thrust swung back as far as mode 1 turns it",
+                {**one, "delta": against},
+            ),
             ("Wind", "two degrees of angle of attack", {**straight, "alpha": 2.0}),
             ("Figure 2", "the motions of the printed figure", FIGURE_2),
         ]

@@ -7,7 +7,7 @@ surfaces.  Python sends both tables, the browser multiplies out.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from itertools import permutations, product
 from math import prod
 from typing import NamedTuple
@@ -20,13 +20,25 @@ from rlswaim import checks
 from rlswaim.explorers.live import LiveView, module, whole_between
 from rlswaim.explorers.widget import Parameter, Value
 from rlswaim.figures.style import COLORS
+from rlswaim.modes import BendingMode
 from rlswaim.perturbation import COLUMNS, ROWS, perturbation_equations
 from rlswaim.vehicle import Booster
 
 BLOCKS = {"short period": (0, 1), "mode 1": (2,), "mode 2": (3,)}
 """Rows and columns of Eq. 29 that each motion would have to itself."""
 COLORS_OF = {"short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2", "attitude": "neutral"}
-BLOCK_OF = {"Z": 0, "M": 0, "alpha": 0, "thetadot": 0, "F1": 1, "q1": 1, "q1dot": 1, "F2": 2, "q2": 2, "q2dot": 2}
+BLOCK_OF = {
+    "Z": 0,
+    "M": 0,
+    "alpha": 0,
+    "thetadot": 0,
+    "F1": 1,
+    "q1": 1,
+    "q1dot": 1,
+    "F2": 2,
+    "q2": 2,
+    "q2dot": 2,
+}
 LEVER: dict[str, tuple[float, tuple[str, ...]]] = {
     "Z": (1.0, ()),
     "M": (1.0, ("arm",)),
@@ -95,7 +107,7 @@ def coefficient_table(booster: Booster) -> dict[str, tuple[Product, ...]]:
 
 
 def determinant_table(rows: Sequence[int], U: float) -> tuple[DeterminantTerm, ...]:
-    """Return the determinant of some ``rows`` and columns of Eq. 29, over U if with the first, multiplied out."""
+    """Return the determinant of some ``rows`` and columns of Eq. 29 multiplied out, leading coefficient 1."""
 
     def entry(i: int, j: int) -> list[DeterminantTerm]:
         row, column = ROWS[i], ("alpha", "thetadot", "q1", "q2")[j]
@@ -136,17 +148,19 @@ def vehicle(
     -------
     control.StateSpace
     """
-    modes = tuple(
-        replace(m, omega=omega) for m, omega in zip(booster.modes, (omega_1, omega_2), strict=True)
-    )
+    modes = tuple(_tuned(m, omega) for m, omega in zip(booster.modes, (omega_1, omega_2), strict=True))
     moved = tuple(
         replace(s, C_Nalpha=surfaces[f"C_{s.name}"], station=surfaces[f"l_{s.name}"])
         for s in booster.surfaces
     )
     flight = replace(booster.flight, q_D=q_D)
-    return perturbation_equations(
-        replace(booster, modes=modes, surfaces=moved, flight=flight)
-    ).state_space()
+    return perturbation_equations(replace(booster, modes=modes, surfaces=moved, flight=flight)).state_space()
+
+
+@lru_cache(maxsize=512)
+def _tuned(mode: BendingMode, omega: float) -> BendingMode:
+    """Return the mode at another frequency (rad/s); kept, since its curve is costly."""
+    return replace(mode, omega=omega)
 
 
 def own_values(booster: Booster) -> dict[str, Value]:
@@ -211,10 +225,16 @@ def cures(booster: Booster) -> list[dict]:
     moved: dict[str, Value] = {f"l_{payload}": nodes[0], f"l_{fins}": nodes[-1]}
     halved: dict[str, Value] = {f"C_{s.name}": s.C_Nalpha / 2 for s in booster.surfaces[:1]}
     stiffer: dict[str, Value] = {f"omega_{i}": 5 * m.omega for i, m in enumerate(booster.modes, start=1)}
-    both: dict[str, Value] = halved | {f"omega_{i}": 2 * m.omega for i, m in enumerate(booster.modes, start=1)}
+    both: dict[str, Value] = halved | {
+        f"omega_{i}": 2 * m.omega for i, m in enumerate(booster.modes, start=1)
+    }
     cases = [
         ("As it is", "the report's vehicle", {}),
-        ("Cure 1: move the surfaces", f"both to nodes of the first mode, {nodes[0]} and {nodes[-1]} ft", moved),
+        (
+            "Cure 1: move the surfaces",
+            f"both to nodes of the first mode, {nodes[0]} and {nodes[-1]} ft",
+            moved,
+        ),
         ("Cure 2: less surface", "half the payload's", halved),
         ("Cure 3: stiffer", "both frequencies five times as high", stiffer),
         ("Cures 2 and 3 together", "half the payload's surface, both frequencies doubled", both),
@@ -244,7 +264,9 @@ class CoupledVehicle(LiveView):
             "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "presets": cures(booster),
         }
-        super().__init__(parameters(booster), payload, {**own_values(booster), "running": "coupling", **values})
+        super().__init__(
+            parameters(booster), payload, {**own_values(booster), "running": "coupling", **values}
+        )
 
     def vehicle(self) -> control.StateSpace:
         """Return the uncontrolled vehicle under the sliders."""

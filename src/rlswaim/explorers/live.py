@@ -95,7 +95,7 @@ class LiveView(anywidget.AnyWidget):
         start = {p.name: p.check(p.name, values[p.name], where) for p in parameters}
         for p in parameters:
             place = traitlets.Int(p.nearest(start[p.name])).tag(sync=True)
-            self.add_traits(**{p.name: Checked(p, start[p.name]).tag(sync=True), f"{p.name}_at": place})  # type: ignore[arg-type]
+            self.add_traits(**{p.name: Checked(p, start[p.name]).tag(sync=True), f"{p.name}_at": place})
         sent = {"system": self.system, "initial": start, **payload}
         sent["parameters"] = [
             {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
@@ -106,7 +106,7 @@ class LiveView(anywidget.AnyWidget):
         shared = [p for p in parameters if beside is not None and beside.has_trait(p.name)]
         for p in shared:
             widgets.jslink((beside, p.name), (self, p.name))
-        own = [p.controls(self) for p in parameters if p not in shared]  # type: ignore[arg-type]
+        own = [p.controls(self) for p in parameters if p not in shared]
         self.panel = widgets.VBox([*own, self], layout={"width": "100%"})
 
     def values(self) -> dict[str, Value]:

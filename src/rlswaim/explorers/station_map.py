@@ -34,7 +34,7 @@ def _multiplied(*sums: Sequence[Part]) -> Iterator[Part]:
 
 
 def _by_jet(eqs: PerturbationEquations, output: str, thrust: str | None = None) -> Iterator[Part]:
-    """Yield what the jet's arm and deflections multiply in a numerator; with ``thrust`` in the coupling one."""
+    """Yield what the jet enters a numerator by, or with ``thrust`` the coupling numerator: parts by factor."""
 
     def numerator(arm: float, phi_1: float, phi_2: float) -> NDArray:
         at = eqs.l_CG + arm
@@ -125,7 +125,7 @@ def parameters() -> tuple[Parameter, ...]:
 
 
 class StationMap(LiveView):
-    """The map over all pairs of stations at the gains of the sliders; ``closed_loop()`` is that of the pair."""
+    """The map over all pairs of stations at the sliders' gains; ``closed_loop()`` is that of the pair."""
 
     system = "station-map"
     _esm = module("roots", "abscissa", "live", "plot", "station_map")
