@@ -124,6 +124,19 @@ def level_at_burnout(ascent: Ascent) -> PitchProgram:
     return lambda t: np.pi / 2 * (1 - t / ascent.t_burn)
 
 
+def turn(upright: float, level: float) -> PitchProgram:
+    """Return gamma_0 of a flight upright until ``upright`` (s), then turned evenly to level at ``level`` (s).
+
+    Raises
+    ------
+    ValueError
+        If a time is negative or not finite, or the flight is level before it turns.
+    """
+    start = checks.not_negative("upright", upright, "turn")
+    end = start + checks.positive("level - upright", level - start, "turn")
+    return lambda t: np.pi / 2 * np.clip((end - t) / (end - start), 0.0, 1.0)
+
+
 def mean_sine(gamma_0: PitchProgram, t: float) -> float:
     """Return the mean of sin gamma_0 from launch to time t (s) [Eq. 33]."""
     return float(quad(lambda tau: np.sin(gamma_0(tau)), 0, t)[0] / t) if t else float(np.sin(gamma_0(0.0)))

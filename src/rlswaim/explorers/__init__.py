@@ -1,22 +1,30 @@
 """Live views: Python owns the physics, the browser evaluates the polynomials that Python sends."""
 
+from rlswaim.explorers.ascent import ascent_explorer
+from rlswaim.explorers.bent_vehicle import bent_vehicle_explorer
 from rlswaim.explorers.control_systems import (
     dual_actuation_explorer,
     rate_attitude_explorer,
     single_sensor_explorer,
     two_sensor_explorer,
 )
+from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
 from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_forms
 from rlswaim.explorers.presets import designs
+from rlswaim.explorers.station_map import station_map_explorer
 from rlswaim.explorers.widget import Explorer
 
 __all__ = [
     "Explorer",
     "MultiAffine",
+    "ascent_explorer",
+    "bent_vehicle_explorer",
+    "coupled_vehicle_explorer",
     "designs",
     "dual_actuation_explorer",
     "multiaffine_forms",
     "rate_attitude_explorer",
     "single_sensor_explorer",
+    "station_map_explorer",
     "two_sensor_explorer",
 ]

@@ -1,0 +1,146 @@
+"""The live view of Section II: the ascent for other pitch programs than the one that the book assumes."""
+
+from collections.abc import Sequence
+from functools import cache, partial
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rlswaim.explorers.live import LiveView, module, whole_between
+from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.figures.style import COLORS
+from rlswaim.trajectory import Ascent, Trajectory, fly, turn
+from rlswaim.vehicle import FlightCondition
+
+UPRIGHT = (0, 6, 12, 18)
+LEVEL = (100, 102, 104, 107, 110, 114, 118, 123, 128, 134, 141, 150, 160, 170, 180)
+"""Pitch programs (s) that are flown ahead; the view takes straight lines between them."""
+FINE = np.linspace(0.0, 100.0, 1001)
+TIMES = FINE[::20]
+"""Times (s) of the flights, and those at which they are sent."""
+CURVES = {"U": 1, "h": 0, "q_D": 1}
+"""What is sent, and with how many decimals."""
+
+
+def parameters() -> tuple[Parameter, ...]:
+    """Return the sliders: whole seconds until which the path is vertical, and at which it is level."""
+
+    def slider(name: str, label: str, meaning: str, nodes: Sequence[int]) -> Parameter:
+        low, high = nodes[0], nodes[-1]
+        check = partial(whole_between, low=low, high=high, unit="s")
+        return Parameter(name, label, "s", meaning, tuple(range(low, high + 1)), check)
+
+    return (
+        slider("upright", "Vertical until", "time until which the path is vertical (s)", UPRIGHT),
+        slider("level", "Level at", "time at which the path is level (s)", LEVEL),
+    )
+
+
+@cache
+def flights(ascent: Ascent, uprights: tuple[float, ...], levels: tuple[float, ...]) -> dict[str, NDArray]:
+    """Return U, h, q_D of all pairs of programs at TIMES, shape (uprights, levels, times), and each peak.
+
+    Returns
+    -------
+    dict
+        ``peak`` holds time (s) and size (lb/ft^2) of the largest q_D; shape (uprights, levels, 2).
+    """
+    flown = [[fly(ascent, turn(u, v), FINE) for v in levels] for u in uprights]
+    tables = {name: np.array([[getattr(f, name)[::20] for f in row] for row in flown]) for name in CURVES}
+    return {**tables, "peak": np.array([[f.peak for f in row] for row in flown])}
+
+
+def between_nodes(tables: dict[str, NDArray], name: str) -> NDArray:
+    """Return a table's straight-line values in the middles of its cells."""
+    t = tables[name]
+    return (t[:-1, :-1] + t[1:, :-1] + t[:-1, 1:] + t[1:, 1:]) / 4
+
+
+def _middles(nodes: Sequence[float]) -> tuple[float, ...]:
+    return tuple((a + b) / 2 for a, b in pairwise(nodes))
+
+
+def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tuple[int, int]:
+    """Return the flown program (s, s) with the least largest relative miss of the printed U, h and q_D."""
+
+    def miss(name: str) -> NDArray:
+        wanted = getattr(flight, name)
+        at = int(np.searchsorted(TIMES, flight.t))
+        share = (flight.t - TIMES[at - 1]) / (TIMES[at] - TIMES[at - 1])
+        there = tables[name][..., at - 1] * (1 - share) + tables[name][..., at] * share
+        return np.abs(there / wanted - 1)
+
+    worst = np.max([miss(name) for name in CURVES], axis=0)
+    i, k = np.unravel_index(worst.argmin(), worst.shape)
+    return UPRIGHT[i], LEVEL[k]
+
+
+class AscentView(LiveView):
+    """The ascent under sliders; ``trajectory()`` flies the program that they show."""
+
+    system = "trajectory"
+    _esm = module("live", "plot", "ascent")
+
+    def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
+        self._ascent = ascent
+        tables = flights(ascent, UPRIGHT, LEVEL)
+        middle = flights(ascent, _middles(UPRIGHT), _middles(LEVEL))
+        off = {name: float(abs(between_nodes(tables, name) - middle[name]).max()) for name in CURVES}
+        start = {"upright": 0, "level": round(ascent.t_burn)}
+        upright, level = nearest_program(tables, flight)
+        presets = [
+            ("The book’s program", "vertical at launch, level at burnout", start),
+            (
+                "Nearest to the report",
+                "the smallest largest miss of U, h and q_D",
+                {"upright": upright, "level": level},
+            ),
+            ("Steep", "the steepest program of this view", {"upright": 18, "level": 180}),
+            ("Flat", "the flattest program of this view", {"upright": 0, "level": 100}),
+        ]
+        payload = {
+            "nodes": {"upright": UPRIGHT, "level": LEVEL},
+            "times": TIMES.tolist(),
+            "curves": {name: np.round(tables[name], digits).tolist() for name, digits in CURVES.items()},
+            "peak": np.round(tables["peak"], 2).tolist(),
+            "accuracy": off,
+            "printed": {"t": flight.t, **{name: getattr(flight, name) for name in CURVES}},
+            "colors": {n: COLORS[n] for n in ("rigid", "corrected", "neutral", "mode 2")},
+            "presets": [{"name": n, "label": label, "values": v} for n, label, v in presets],
+        }
+        super().__init__(parameters(), payload, {**start, **values})
+
+    def trajectory(self) -> Trajectory:
+        """Return the flight under the sliders, integrated, at every tenth of a second up to 100 s."""
+        program = turn(float(self.values()["upright"]), float(self.values()["level"]))
+        return fly(self._ascent, program, FINE)
+
+
+def ascent_explorer(ascent: Ascent, flight: FlightCondition, **values: Value) -> AscentView:
+    """Return the live view of the ascent.
+
+    Parameters
+    ----------
+    ascent : Ascent
+    flight : FlightCondition
+        The printed condition, marked in the pictures.
+    **values : int
+        Where the sliders start: upright (until when the path is vertical, s), level (when it is level, s).
+
+    Returns
+    -------
+    AscentView
+
+    Raises
+    ------
+    ValueError
+        If a time is not a whole number of seconds in the view's range.
+    TypeError
+        If a time is not a real number or a parameter is unknown.
+
+    Notes
+    -----
+    Figures 3 and 4, Eqs. 30 to 37.
+    """
+    return AscentView(ascent, flight, **values)

@@ -1,0 +1,305 @@
+"""The live view of Section III: how the air couples the rigid body and the bending modes, without control.
+
+The determinant of Eq. 29 is a sum of products of its coefficients, and each
+coefficient a sum of products of the parameters and of the mode shapes at both
+surfaces.  Python sends both tables, the browser multiplies out.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import lru_cache, partial
+from itertools import permutations, product
+from math import prod
+from typing import NamedTuple
+
+import control
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rlswaim import checks
+from rlswaim.explorers.live import LiveView, module, whole_between
+from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.figures.style import COLORS
+from rlswaim.modes import BendingMode
+from rlswaim.perturbation import COLUMNS, ROWS, perturbation_equations
+from rlswaim.vehicle import Booster
+
+BLOCKS = {"short period": (0, 1), "mode 1": (2,), "mode 2": (3,)}
+"""Rows and columns of Eq. 29 that each motion would have to itself."""
+COLORS_OF = {"short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2", "attitude": "neutral"}
+BLOCK_OF = {
+    "Z": 0,
+    "M": 0,
+    "alpha": 0,
+    "thetadot": 0,
+    "F1": 1,
+    "q1": 1,
+    "q1dot": 1,
+    "F2": 2,
+    "q2": 2,
+    "q2dot": 2,
+}
+LEVER: dict[str, tuple[float, tuple[str, ...]]] = {
+    "Z": (1.0, ()),
+    "M": (1.0, ("arm",)),
+    "F1": (-1.0, ("phi_1",)),
+    "F2": (-1.0, ("phi_2",)),
+}
+"""How a downward force at a surface enters each equation: sign and shape there."""
+
+
+class Product(NamedTuple):
+    """A number times some factors."""
+
+    weight: float
+    factors: tuple[str, ...]
+
+
+class DeterminantTerm(NamedTuple):
+    """A number times a power of s times some coefficients of Eq. 29."""
+
+    weight: float
+    power: int
+    factors: tuple[str, ...]
+
+
+def coefficient_table(booster: Booster) -> dict[str, tuple[Product, ...]]:
+    """Return each coefficient of Eq. 29 as a sum of products.
+
+    Parameters
+    ----------
+    booster : Booster
+        Masses, thrust, shapes and damping ratios stay its own.
+
+    Returns
+    -------
+    dict
+        Factors: q_D, C_<surface>, omega_i, ``coupling`` (1 for the vehicle, 0 for motions by themselves) and
+        ``<shape>_<surface>``, where shape is arm (l - l_CG, ft), phi_i or sigma_i (1/ft).
+    """
+    bare = perturbation_equations(replace(booster, surfaces=())).coefficients
+    inertia = dict(zip(ROWS, (booster.M, booster.I_y, *(m.mass for m in booster.modes)), strict=True))
+    U = booster.flight.U
+    incidence: dict[str, tuple[float, tuple[str, ...]]] = {"alpha": (1.0, ()), "thetadot": (1 / U, ("arm",))}
+    structure: dict[str, tuple[Product, ...]] = {}
+    for i, mode in enumerate(booster.modes, start=1):
+        incidence |= {f"q{i}dot": (-1 / U, (f"phi_{i}",)), f"q{i}": (1.0, (f"sigma_{i}",))}
+        structure[f"F{i}_q{i}dot"] = (Product(2 * mode.zeta, (f"omega_{i}",)),)
+        structure[f"F{i}_q{i}"] = (Product(1.0, (f"omega_{i}", f"omega_{i}")),)
+
+    def thrust(name: str) -> float:
+        own = structure.get(name, ())
+        omegas = {f"omega_{i}": mode.omega for i, mode in enumerate(booster.modes, start=1)}
+        return bare[name] - sum(p.weight * prod(omegas[f] for f in p.factors) for p in own)
+
+    def terms(row: str, column: str) -> Iterator[Product]:
+        coupled = () if BLOCK_OF[row] == BLOCK_OF[column] else ("coupling",)
+        (sign, lever), (weight, shape) = LEVER[row], incidence[column]
+        yield Product(thrust(f"{row}_{column}"), coupled)
+        yield from structure.get(f"{row}_{column}", ())
+        for surface in booster.surfaces:
+            at = tuple(f"{name}_{surface.name}" for name in lever + shape)
+            yield Product(
+                booster.S / inertia[row] * sign * weight, ("q_D", f"C_{surface.name}", *at, *coupled)
+            )
+
+    return {f"{row}_{column}": tuple(terms(row, column)) for row in ROWS for column in COLUMNS[:-1]}
+
+
+def determinant_table(rows: Sequence[int], U: float) -> tuple[DeterminantTerm, ...]:
+    """Return the determinant of some ``rows`` and columns of Eq. 29 multiplied out, leading coefficient 1."""
+
+    def entry(i: int, j: int) -> list[DeterminantTerm]:
+        row, column = ROWS[i], ("alpha", "thetadot", "q1", "q2")[j]
+        found = [DeterminantTerm(1.0, 1 if j == 1 else 0, (f"{row}_{column}",))]
+        if j > 1:
+            found.append(DeterminantTerm(1.0, 1, (f"{row}_{column}dot",)))
+        if i == 0 and j < 2:
+            found.append(DeterminantTerm(U if j == 0 else -U, 1, ()))
+        if i == j > 0:
+            found.append(DeterminantTerm(1.0, 2, ()))
+        return found
+
+    def expanded() -> Iterator[DeterminantTerm]:
+        for order in permutations(range(len(rows))):
+            sign = round(np.linalg.det(np.eye(len(rows))[list(order)]))
+            entries = (entry(rows[i], rows[j]) for i, j in enumerate(order))
+            for chosen in product(*entries):
+                weight = sign * prod(t.weight for t in chosen) / (U if 0 in rows else 1.0)
+                names = tuple(name for t in chosen for name in t.factors)
+                yield DeterminantTerm(weight, sum(t.power for t in chosen), names)
+
+    return tuple(expanded())
+
+
+def vehicle(
+    booster: Booster, *, omega_1: float, omega_2: float, q_D: float, **surfaces: float
+) -> control.StateSpace:
+    """Return the uncontrolled vehicle with other frequencies (rad/s), q_D (lb/ft^2) and surfaces.
+
+    Parameters
+    ----------
+    booster : Booster
+    omega_1, omega_2, q_D : float
+    **surfaces : float
+        C_<name> (1/rad) and l_<name> (ft) of each surface.
+
+    Returns
+    -------
+    control.StateSpace
+    """
+    modes = tuple(_tuned(m, omega) for m, omega in zip(booster.modes, (omega_1, omega_2), strict=True))
+    moved = tuple(
+        replace(s, C_Nalpha=surfaces[f"C_{s.name}"], station=surfaces[f"l_{s.name}"])
+        for s in booster.surfaces
+    )
+    flight = replace(booster.flight, q_D=q_D)
+    return perturbation_equations(replace(booster, modes=modes, surfaces=moved, flight=flight)).state_space()
+
+
+@lru_cache(maxsize=512)
+def _tuned(mode: BendingMode, omega: float) -> BendingMode:
+    """Return the mode at another frequency (rad/s); kept, since its curve is costly."""
+    return replace(mode, omega=omega)
+
+
+def own_values(booster: Booster) -> dict[str, Value]:
+    """Return the vehicle's own values of the sliders."""
+    values: dict[str, Value] = {f"omega_{i}": m.omega for i, m in enumerate(booster.modes, start=1)}
+    values["q_D"] = booster.flight.q_D
+    for s in booster.surfaces:
+        values |= {f"C_{s.name}": s.C_Nalpha, f"l_{s.name}": int(s.station)}
+    return values
+
+
+def parameters(booster: Booster) -> tuple[Parameter, ...]:
+    """Return the sliders, and the choice of what runs along the paths."""
+    own = own_values(booster)
+    station = partial(whole_between, low=0, high=420, unit="ft")
+
+    def grid(name: str, places: ArrayLike) -> tuple[float, ...]:
+        return tuple(np.union1d([float(f"{place:.3g}") for place in np.ravel(places)], [own[name]]).tolist())
+
+    found = [
+        Parameter(
+            f"omega_{i}",
+            rf"\(\omega_{i}\)",
+            "rad/s",
+            f"omega_{i}, frequency of mode {i} in still air (rad/s)",
+            grid(f"omega_{i}", np.geomspace(0.3, 30, 121)),
+            checks.positive,
+        )
+        for i in (1, 2)
+    ]
+    found.append(
+        Parameter(
+            "q_D",
+            r"\(q_D\)",
+            "lb/ft²",
+            "q_D, dynamic pressure (lb/ft²)",
+            grid("q_D", np.arange(0, 2001, 20)),
+            checks.not_negative,
+        )
+    )
+    for s in booster.surfaces:
+        C, meaning = f"C_{s.name}", f"slope of the normal force of the {s.name} (1/rad)"
+        places = grid(C, np.linspace(0, 3 * s.C_Nalpha, 121))
+        found.append(Parameter(C, rf"\(C_{{N\alpha}}\) {s.name}", "1/rad", meaning, places))
+    for s in booster.surfaces:
+        where = f"station of the {s.name} (ft)"
+        found.append(Parameter(f"l_{s.name}", f"Place {s.name}", "ft", where, tuple(range(421)), station))
+    known = ("coupling", *own)
+    check = partial(_one_of, known=known)
+    return (*found, Parameter("running", "Paths for", "", "what runs along the paths", known, check))
+
+
+def _one_of(name: str, value: object, where: str, known: Sequence[str]) -> str:
+    return checks.one_of(name, value, known, where)
+
+
+def cures(booster: Booster) -> list[dict]:
+    """Return the vehicle as it is and the three cures of conclusion 2 as values of the sliders."""
+    own = own_values(booster)
+    payload, fins = (s.name for s in booster.surfaces)
+    nodes = [round(x) for x in booster.modes[0].shape.roots(extrapolate=False)]
+    moved: dict[str, Value] = {f"l_{payload}": nodes[0], f"l_{fins}": nodes[-1]}
+    halved: dict[str, Value] = {f"C_{s.name}": s.C_Nalpha / 2 for s in booster.surfaces[:1]}
+    stiffer: dict[str, Value] = {f"omega_{i}": 5 * m.omega for i, m in enumerate(booster.modes, start=1)}
+    both: dict[str, Value] = halved | {
+        f"omega_{i}": 2 * m.omega for i, m in enumerate(booster.modes, start=1)
+    }
+    cases = [
+        ("As it is", "the report's vehicle", {}),
+        (
+            "Cure 1: move the surfaces",
+            f"both to nodes of the first mode, {nodes[0]} and {nodes[-1]} ft",
+            moved,
+        ),
+        ("Cure 2: less surface", "half the payload's", halved),
+        ("Cure 3: stiffer", "both frequencies five times as high", stiffer),
+        ("Cures 2 and 3 together", "half the payload's surface, both frequencies doubled", both),
+    ]
+    return [{"name": n, "label": label, "values": {**own, **change}} for n, label, change in cases]
+
+
+class CoupledVehicle(LiveView):
+    """The uncontrolled vehicle under sliders; ``vehicle()`` is its state space, ``poles()`` its poles."""
+
+    system = "coupling"
+    _esm = module("roots", "locus", "live", "plot", "coupled_vehicle")
+
+    def __init__(self, booster: Booster, **values: Value) -> None:
+        self._booster, feet = booster, np.arange(421.0)
+        shapes = {"arm": feet - booster.l_CG}
+        for i, mode in enumerate(booster.modes, start=1):
+            shapes |= {f"phi_{i}": mode.deflection(feet), f"sigma_{i}": mode.slope(feet)}
+        tables = {name: determinant_table(rows, booster.flight.U) for name, rows in BLOCKS.items()}
+        payload = {
+            "shapes": {name: values.tolist() for name, values in shapes.items()},
+            "surfaces": [s.name for s in booster.surfaces],
+            "coefficients": coefficient_table(booster),
+            "determinant": determinant_table(range(4), booster.flight.U),
+            "blocks": tables,
+            "branches": {name: COLORS[color] for name, color in COLORS_OF.items()},
+            "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
+            "presets": cures(booster),
+        }
+        super().__init__(
+            parameters(booster), payload, {**own_values(booster), "running": "coupling", **values}
+        )
+
+    def vehicle(self) -> control.StateSpace:
+        """Return the uncontrolled vehicle under the sliders."""
+        return vehicle(self._booster, **{k: float(v) for k, v in self.values().items() if k != "running"})
+
+    def poles(self) -> np.ndarray:
+        """Return the vehicle's poles under the sliders (1/s)."""
+        return self.vehicle().poles()
+
+
+def coupled_vehicle_explorer(booster: Booster, **values: Value) -> CoupledVehicle:
+    """Return the live view of the vehicle without control.
+
+    Parameters
+    ----------
+    booster : Booster
+    **values : float or str
+        Where the sliders start: omega_1, omega_2 (rad/s), q_D (lb/ft^2), C_payload, C_fins (1/rad),
+        l_payload, l_fins (ft, whole), running ("coupling" or one of the others: what runs along the paths).
+
+    Returns
+    -------
+    CoupledVehicle
+
+    Raises
+    ------
+    ValueError
+        If a value is not finite or out of range.
+    TypeError
+        If a value is not of its kind or a parameter is unknown.
+
+    Notes
+    -----
+    Eqs. 29 and 39 to 54, conclusion 2.
+    """
+    return CoupledVehicle(booster, **values)

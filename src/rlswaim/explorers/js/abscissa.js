@@ -1,0 +1,92 @@
+// The largest real part of the roots of Section VII's polynomial over sensor and jet stations, from the table of terms
+// that Python sends.
+import { refine, roots } from './roots.js';
+
+export const STATIONS = 421;
+export const STEPS = [28, 14, 7, 3, 1];
+const AT_JET = ['', 'arm_r', 'phi_1_r', 'phi_2_r'];
+const AT_SENSOR = ['', 'phi_1_z', 'phi_2_z'];
+
+// At fixed gains: the polynomial that each pair of shapes multiplies, and the shapes.
+export function planOf({ terms, shapes }, gains) {
+  const parts = AT_SENSOR.map(() => AT_JET.map(() => new Float64Array(10)));
+  for (const { factors, coefficients } of terms) {
+    const weight = factors.reduce((w, name) => w * (gains[name] ?? 1), 1);
+    const index = (names) => Math.max(0, names.findIndex((name) => name && factors.includes(name)));
+    const sum = parts[index(AT_SENSOR)][index(AT_JET)];
+    coefficients.forEach((c, k) => (sum[k] += weight * c));
+  }
+  const values = Object.fromEntries(Object.entries(shapes).map(([name, shape]) => [name, shape.values]));
+  return { parts, values };
+}
+
+const ONE = { at: () => 1 };
+
+export function polynomial({ parts, values }, sensor, jet, c) {
+  c.fill(0);
+  AT_SENSOR.forEach((z, i) => {
+    const left = (values[z] ?? ONE).at(sensor);
+    AT_JET.forEach((r, j) => {
+      const weight = left * (values[r] ?? ONE).at(jet);
+      for (let k = 0; k < 10; k++) c[k] += weight * parts[i][j][k];
+    });
+  });
+  return c;
+}
+
+const largest = (x) => x.reduce((a, b) => Math.max(a, b), -Infinity);
+
+export function rootsAt(plan, sensor, jet) {
+  return roots(polynomial(plan, sensor, jet, new Float64Array(10)));
+}
+
+export const abscissaAt = (plan, sensor, jet) => largest(rootsAt(plan, sensor, jet).x);
+
+// One row after the other: { step, jet, values }, each cell's roots started from those of the cell beside it.
+export function* rows(plan, steps = STEPS) {
+  const c = new Float64Array(10);
+  const across = new Float64Array(10 * AT_SENSOR.length);
+  for (const step of steps) {
+    let [x, y] = [new Float64Array(9), new Float64Array(9)];
+    let first = null;
+    for (let jet = 0; jet < STATIONS; jet += step) {
+      // The row's own polynomials: only the sensor is left to run.
+      AT_SENSOR.forEach((_, i) => {
+        for (let k = 0; k < 10; k++) {
+          let sum = plan.parts[i][0][k];
+          for (let j = 1; j < AT_JET.length; j++) sum += plan.values[AT_JET[j]][jet] * plan.parts[i][j][k];
+          across[10 * i + k] = sum;
+        }
+      });
+      const values = new Float64Array(Math.ceil(STATIONS / step));
+      if (first) [x, y] = first.map((points) => points.slice());
+      for (let n = 0; n < values.length; n++) {
+        const p = plan.values.phi_1_z[n * step];
+        const q = plan.values.phi_2_z[n * step];
+        for (let k = 0; k < 10; k++) c[k] = across[k] + p * across[10 + k] + q * across[20 + k];
+        values[n] = cell(c, x, y, first !== null || n > 0);
+        if (n === 0) first = [x.slice(), y.slice()];
+      }
+      yield { step, jet, values };
+    }
+  }
+}
+
+// Aberth keeps real points real, so they start a little off the axis. The sum of the roots tells whether all were found.
+function cell(c, x, y, warm) {
+  if (warm) {
+    for (let i = 0; i < 9; i++) y[i] += (i % 2 ? 1e-7 : -1.3e-7) * (Math.abs(x[i]) + 1e-6);
+    refine(c, 9, x, y, 1e-5);
+    let sum = c[8];
+    let size = Math.abs(c[8]);
+    for (let i = 0; i < 9; i++) {
+      sum += x[i];
+      size += Math.abs(x[i]);
+    }
+    if (Math.abs(sum) <= 1e-10 * size) return largest(x);
+  }
+  const found = roots(c);
+  x.set(found.x);
+  y.set(found.y);
+  return largest(x);
+}

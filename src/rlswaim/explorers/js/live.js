@@ -1,0 +1,166 @@
+// What the live views beside the root loci share: elements, words, colors, and the way from a change to a drawing.
+
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+export const set = (node, text) => node.textContent === text || (node.textContent = text);
+
+export function number(value, count = 4) {
+  if (!Number.isFinite(value)) return '–';
+  const size = Math.abs(value);
+  if (value === 0 || (size >= 1e-3 && size < 1e12)) return value.toLocaleString('en', { maximumSignificantDigits: count }).replace('-', '−');
+  const [digits, power] = value.toExponential(count - 1).split('e');
+  const raised = [...power.replace('+', '')].map((d) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(d)]).join('');
+  return `${Number(digits)}·10${raised}`.replace('-', '−');
+}
+
+export const signed = (value, count) => (value > 0 ? '+' : '') + number(value, count);
+
+// Each parameter and the place of its slider keep each other: a slider that moves sets the value, a value set
+// otherwise moves the slider to the nearest place and stays as it is.
+function nearest({ grid }, value) {
+  const off = grid.map((place) => (typeof place === 'string' ? Number(place !== value) : Math.abs(place - value)));
+  return off.indexOf(Math.min(...off));
+}
+
+export function initialize({ model }) {
+  for (const parameter of model.get('payload').parameters) {
+    const { name, grid } = parameter;
+    const place = `${name}_at`;
+    model.on(`change:${name}`, () => {
+      const at = nearest(parameter, model.get(name));
+      if (at === model.get(place)) return;
+      model.set(place, at);
+      model.save_changes();
+    });
+    model.on(`change:${place}`, () => {
+      const at = model.get(place);
+      if (nearest(parameter, model.get(name)) === at) return;
+      model.set(name, grid[at]);
+      model.save_changes();
+    });
+  }
+}
+
+export function apply(model, values) {
+  for (const [name, value] of Object.entries(values)) model.set(name, value);
+  model.save_changes();
+}
+
+// A color of the print figures, lightened on a dark page.
+function lifted(color, share) {
+  const parts = color.match(/[0-9a-f]{2}/gi).map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
+  return `rgb(${parts.join()})`;
+}
+
+function themeOf(root, colors) {
+  const style = getComputedStyle(root);
+  const read = (name) => style.getPropertyValue(`--${name}`).trim();
+  const own = Object.entries(colors).map(([name, color]) => [name, lifted(color, Number(read('lift')))]);
+  const page = ['plane', 'unstable', 'grid', 'axis', 'ink', 'muted', 'bad', 'good'].map((name) => [name, read(name)]);
+  return Object.fromEntries([...page, ...own]);
+}
+
+function onThemeChange(act) {
+  const watch = new MutationObserver(act);
+  for (const node of [document.documentElement, document.body]) {
+    watch.observe(node, { attributes: true, attributeFilter: ['data-theme', 'data-mode', 'data-jp-theme-light', 'class'] });
+  }
+  const media = matchMedia('(prefers-color-scheme: dark)');
+  media.addEventListener('change', act);
+  return () => {
+    watch.disconnect();
+    media.removeEventListener('change', act);
+  };
+}
+
+export function plane(kind, caption, attributes = {}) {
+  const canvas = element('canvas', { role: 'img', 'data-plane': kind, ...attributes });
+  const words = element('figcaption', {}, ...[caption].flat());
+  return { canvas, caption: words, figure: element('figure', {}, words, canvas) };
+}
+
+export function legend(entries) {
+  const item = ([sign, meaning]) => element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
+  return element('ul', { class: 'legend' }, ...entries.map(item));
+}
+
+// A table of texts whose cells change alone when their text does.
+export class Table {
+  constructor(caption, heads, name = 'values') {
+    this.body = element('tbody');
+    this.caption = element('caption', {}, caption);
+    const head = element('tr', {}, ...heads.map((text) => element('th', { scope: 'col' }, text)));
+    this.table = element('table', { class: name }, this.caption, element('thead', {}, head), this.body);
+    this.node = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': caption }, this.table);
+    this.width = heads.length;
+  }
+
+  show(rows) {
+    while (this.body.rows.length < rows.length) {
+      const cells = Array.from({ length: this.width - 1 }, () => element('td'));
+      this.body.append(element('tr', {}, element('th', { scope: 'row' }), ...cells));
+    }
+    while (this.body.rows.length > rows.length) this.body.lastChild.remove();
+    rows.forEach(({ cells, data = {}, kind = '' }, i) => {
+      const row = this.body.rows[i];
+      Object.assign(row.dataset, data);
+      cells.forEach((text, k) => set(row.cells[k], text));
+      if (row.lastChild.className !== kind) row.lastChild.className = kind;
+    });
+  }
+}
+
+// Puts a view on the page. view: { nodes, canvases, draw(state, theme) }. All changes in a frame make one drawing, and
+// the same state always gives the same picture.
+export function mount({ model, el }, view) {
+  const payload = model.get('payload');
+  el.classList.add('rlswaim-explorer');
+  el.dataset.explorer = payload.system;
+  const entries = [...payload.presets, { name: 'Reset', label: 'back to the start', values: payload.initial }];
+  const buttons = entries.map(({ name, label, values }) => {
+    const button = element('button', { type: 'button', title: label }, name);
+    button.addEventListener('click', () => apply(model, values));
+    return button;
+  });
+  const group = element('div', { class: 'buttons', role: 'group', 'aria-label': 'Presets' }, element('span', {}, 'Try'), ...buttons);
+  const live = element('span', { class: 'unseen', role: 'status', 'aria-live': 'polite' });
+  el.append(group, ...view.nodes, live);
+
+  let frame = 0;
+  let theme;
+  function draw() {
+    frame = 0;
+    if (!view.canvases[0].clientWidth) return; // not on the page yet
+    const start = performance.now();
+    theme ??= themeOf(el, payload.colors);
+    const state = Object.fromEntries(payload.parameters.map(({ name }) => [name, model.get(name)]));
+    const words = view.draw(state, theme);
+    set(live, words);
+    const same = (values) => Object.entries(values).every(([name, value]) => state[name] === value);
+    entries.forEach(({ values }, i) => buttons[i].setAttribute('aria-pressed', i < entries.length - 1 && same(values)));
+    const detail = { ms: performance.now() - start, ...view.detail };
+    el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail }));
+  }
+  const schedule = () => (frame ||= requestAnimationFrame(draw));
+  const names = payload.parameters.map(({ name }) => `change:${name}`);
+  for (const name of names) model.on(name, schedule);
+  const resized = new ResizeObserver(schedule);
+  for (const canvas of view.canvases) resized.observe(canvas);
+  const unwatch = onThemeChange(() => {
+    theme = undefined;
+    schedule();
+  });
+  view.redraw = schedule;
+  return () => {
+    cancelAnimationFrame(frame);
+    resized.disconnect();
+    unwatch();
+    view.stop?.();
+    for (const name of names) model.off(name, schedule);
+  };
+}
