@@ -10,10 +10,12 @@ from functools import cache
 
 import numpy as np
 import pytest
+from matplotlib import pyplot as plt
 
 import rlswaim as rl
 from rlswaim import dual
 from rlswaim.evidence import causes, section_4
+from rlswaim.figures.agreement import draw_differences
 from rlswaim.ledger import VERDICTS, half_unit
 from rlswaim.polynomials import roots
 from rlswaim.tables import read_table
@@ -317,3 +319,15 @@ def test_rough_numbers_in_reasons():
     found = [abs(z) for z in dual.printed_factors("text-closure1-") if z.imag]
     own = sorted(abs(z) for z in roots(EQS.characteristic_polynomial()) if z.imag > 0.5)
     assert min(found) / max(own) > 10
+
+
+def test_picture_shows_every_difference_once():
+    fig, ax = plt.subplots()
+    drawn = draw_differences(ax, LEDGER).get_lines()
+    marks = [line for line in drawn if line.get_label() in VERDICTS]
+    assert sum(len(line.get_xdata()) for line in marks) == sum(e.value != 0 for e in LEDGER)
+    assert (
+        len({line.get_marker() for line in marks}) == len({line.get_color() for line in marks}) == len(marks)
+    )
+    assert max(max(line.get_ydata()) for line in marks) == max(abs(e.percent) for e in LEDGER if e.value)
+    plt.close(fig)
