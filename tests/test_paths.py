@@ -145,6 +145,8 @@ def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
     corrected = dual.closure_3(EQS, JET, KK_Z, 1, 0.286)
     assert (report.poles().size, corrected.poles().size) == (16, 9)
     assert [int((loop.poles().real > 1e-9).sum()) for loop in (report, corrected)] == [4, 1]
+    counts = [int((at(report, gain).real > 1e-9).sum()) for gain in (1e-4, 7.3e-4, 7.5e-4, 1.0, 100.0)]
+    assert counts == [4, 4, 6, 6, 6]
 
 
 # ---- Table 3 and the mode shapes
