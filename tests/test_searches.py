@@ -129,6 +129,13 @@ def test_a_short_search_repeats_itself_and_does_not_beat_the_long_one(winner):
     assert first.abscissa >= winner.abscissa - 1e-3
 
 
+def test_a_long_search_gives_its_winner_again():
+    winner = next(w for w in WINNERS if (w.system, w.objective) == ("rigid_angle", "pair-all"))
+    again = search.search(EQS, winner.system, winner.objective, winner.seed)
+    assert again.abscissa == pytest.approx(winner.abscissa, abs=1e-4)
+    assert again.evaluations * len(search.SEEDS) == winner.evaluations
+
+
 # ---- proofs and searches
 
 
