@@ -264,7 +264,7 @@ class TestKeyboard:
             assert any(name.startswith(wanted) for name in reached), wanted
         for title in ("Pole map", "Responses", "Mode shape", "Take away", "Keys and gestures"):
             assert any(name.startswith(title) for name in reached), title
-        assert page.evaluate("el.querySelector('details.mode').open")
+        assert page.evaluate("el.querySelector('[data-panel=mode]').open")
 
     def test_undo_and_redo(self, page):
         locus(page).focus()
@@ -294,7 +294,7 @@ class TestAddress:
     def test_a_link_gives_the_same_view(self, browser, page, explorer):
         show(page, K_A=-2.5, K_R=0.25, gyro=96, feedback="total")
         one(page, lambda: page.locator(".bar select").first.select_option("K_C"))
-        one(page, lambda: page.locator(".responses select").first.select_option("1"))
+        one(page, lambda: page.locator("[data-panel=responses] select").first.select_option("1"))
         locus(page).focus()
         one(page, lambda: page.keyboard.press("+"))
         page.wait_for_function("location.hash.includes('view.window')")
@@ -341,7 +341,7 @@ class TestTakeAway:
     @pytest.fixture
     def page(self, browser, explorer):
         with opened(browser, explorer, accept_downloads=True) as page:
-            page.locator(".takeaway summary").click()
+            page.locator("[data-panel=takeaway] summary").click()
             yield page
 
     def saved(self, page: Page, name: str) -> str:
@@ -428,7 +428,7 @@ class TestEveryControlSystem:
             wide.get_by_role("button", name=preset["name"], exact=True).click()
             wide.wait_for_timeout(350)
             names: dict = {}
-            exec(wide.locator(".takeaway code").inner_text(), names)
+            exec(wide.locator("[data-panel=takeaway] code").inner_text(), names)
             ours, theirs = paired(names["loop"].poles(), table(wide))
             assert (abs(ours - theirs) <= 1e-6 * np.maximum(1, abs(ours))).all(), preset["name"]
 
@@ -447,16 +447,19 @@ class TestEveryControlSystem:
         wide.locator("canvas[data-plane=map]").scroll_into_view_if_needed()
         wide.wait_for_timeout(100)
         for at, station in enumerate(wide.evaluate("state.payload.maps")):
-            if wide.locator(".map select").is_visible():
-                wide.locator(".map select").select_option(str(at))
+            if wide.locator("[data-panel=map] select").is_visible():
+                wide.locator("[data-panel=map] select").select_option(str(at))
                 wide.wait_for_timeout(60)
-            assert wide.locator(".map small").inner_text().startswith(f"{station} from 0 to 420 ft")
+            wide.wait_for_function(
+                "words => el.querySelector('[data-panel=map] small').textContent.startsWith(words)",
+                arg=f"{station} from 0 to 420 ft",
+            )
 
     def test_each_input_has_its_responses(self, wide):
         seen = set()
         wide.locator("canvas[data-plane=responses]").scroll_into_view_if_needed()
-        for at in range(wide.locator(".responses select").first.locator("option").count()):
-            wide.locator(".responses select").first.select_option(str(at))
+        for at in range(wide.locator("[data-panel=responses] select").first.locator("option").count()):
+            wide.locator("[data-panel=responses] select").first.select_option(str(at))
             wide.wait_for_timeout(300)
             wide.wait_for_function("el.querySelector('[data-plane=responses]').ariaLabel")
             seen.add(picture(wide, "responses"))
@@ -565,7 +568,7 @@ def test_works_under_a_policy_without_eval(browser, explorer):
     rows = page.locator("[data-explorer=rate-attitude] table.poles tbody tr")
     rows.first.wait_for()
     assert rows.count() == 8
-    page.locator("details.takeaway summary").click()
+    page.locator("[data-panel=takeaway] summary").click()
     with page.expect_download() as download:
         page.get_by_role("button", name="Picture (SVG)").click()
     assert Path(download.value.path()).read_text(encoding="utf-8").startswith("<svg")

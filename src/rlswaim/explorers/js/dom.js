@@ -61,7 +61,7 @@ export function select(label, entries, act) {
 // A part of the workbench that costs nothing while it is closed.
 export function panel(name, title, toggled, ...children) {
   const extra = element('small');
-  const node = element('details', { class: `panel ${name}` }, element('summary', {}, element('b', {}, title), extra), ...children);
+  const node = element('details', { class: 'panel', 'data-panel': name }, element('summary', {}, element('b', {}, title), extra), ...children);
   node.addEventListener('toggle', toggled);
   return { node, extra };
 }

@@ -80,7 +80,7 @@ class Workbench {
     this.crossings = element('span');
     this.margins = element('span');
     const scroll = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' }, this.table.node);
-    const poles = panel('table', 'Closed-loop poles', () => {}, scroll);
+    const poles = panel('poles', 'Closed-loop poles', () => {}, scroll);
     poles.node.open = this.map.node.open = this.responses.node.open = true;
     el.append(
       this.#presets(), this.#bar(), element('p', { class: 'verdict' }, this.word, this.reason), this.live, this.plane.node,
@@ -119,7 +119,7 @@ class Workbench {
   #takeaway() {
     this.code = element('code');
     const shown = element('pre', { tabindex: '0' }, this.code);
-    const row = element('div', { class: 'row' },
+    const row = element('div', { class: 'controls' },
       button('Picture (SVG)', () => this.#save('svg')),
       button('Poles (CSV)', () => this.#save('csv')),
       button('Copy as Python', () => this.#copy(pythonOf(this.system, this.desk.state), 'call')),

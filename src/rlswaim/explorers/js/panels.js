@@ -22,7 +22,7 @@ export class MapPanel {
     const { system } = bench;
     this.canvas = element('canvas', { role: 'img', 'data-plane': 'map' });
     this.list = select('Station of', system.maps.map((name, i) => [i, name]), (at) => bench.look({ map: Number(at) }));
-    this.panel = panel('map', 'Pole map', () => bench.schedule(), element('div', { class: 'row' }, this.list.node), this.canvas);
+    this.panel = panel('map', 'Pole map', () => bench.schedule(), element('div', { class: 'controls' }, this.list.node), this.canvas);
     if (system.maps.length < 2) this.list.node.parentNode.hidden = true;
     this.node = this.panel.node;
     this.canvas.addEventListener('click', (event) => this.#pick(event));
@@ -89,7 +89,7 @@ export class ResponsePanel {
       gust: select('lasting', GUSTS.map((s) => [s, `${s} s`]), number_('gust')),
       duration: select('over', DURATIONS.map((s) => [s, `${s} s`]), number_('duration')),
     };
-    const row = element('div', { class: 'row' }, ...Object.values(this.lists).map(({ node }) => node));
+    const row = element('div', { class: 'controls' }, ...Object.values(this.lists).map(({ node }) => node));
     this.panel = panel('responses', 'Responses', () => bench.schedule(), row, this.canvas);
     this.node = this.panel.node;
     this.#choices();
@@ -134,7 +134,7 @@ export class ModePanel {
     this.list = select('Pole', [], (at) => bench.look({ mode: Number(at) }));
     this.pause = button('Pause', () => this.#toggle(), { 'aria-pressed': 'false' });
     this.shares = element('ul', { class: 'shares' });
-    const row = element('div', { class: 'row' }, this.list.node, this.pause);
+    const row = element('div', { class: 'controls' }, this.list.node, this.pause);
     this.panel = panel('mode', 'Mode shape', () => bench.schedule(), row, this.canvas, this.shares);
     this.node = this.panel.node;
     this.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
