@@ -1,5 +1,5 @@
 // Root loci from the table of terms that Python sends: nothing here knows any physics.
-import { derivative, evaluate, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
+import { derivative, evaluate, flatten, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
 
 // The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
 export function factorsOf(system, state) {
@@ -140,7 +140,7 @@ const DEEPEST = 14;
 // curve: { fill(t, c), middle(a, b), breaks }; start: { x, y } at the first node, in the order of the branches.
 // view: { left, right, top, scale (pixels per 1/s), tolerance }, or BLIND where only the names matter. Returns points
 // { t, x, y }. Traced back, a curve has the same branches as on its way forth.
-export function trace(curve, nodes, start, view, back = false) {
+export function trace(curve, nodes, start, view) {
   const n = start.x.length;
   const c = new Float64Array(n + 1);
   const partner = new Int32Array(n);
@@ -184,18 +184,17 @@ export function trace(curve, nodes, start, view, back = false) {
     return keep(permuted(point, partner), before);
   }
 
-  // Where two branches meet on the real axis both pairings are equally near: the right one of two real roots goes on as the
-  // upper one of a pair, the upper one of a pair as the left one of two real roots.
+  // Where two branches meet on the real axis both pairings are equally near. The right one of two real roots is the upper one
+  // of a pair and the other way round, so that a step over both a meeting and a parting finds them in the same order.
   function meeting({ kx, ky }, { x, y }) {
     for (let i = 0; i < n; i++) {
       for (let j = i + 1; j < n; j++) {
         const [p, q] = [partner[i], partner[j]];
-        const [was, is] = [twin(kx, ky, i, j), twin(x, y, p, q)];
-        const forms = is && flat(kx, ky, i) && flat(kx, ky, j);
-        const parts = was && flat(x, y, p) && flat(x, y, q);
-        if (!forms && !parts) continue;
-        const swapped = forms ? kx[i] > kx[j] !== y[p] > y[q] : ky[i] > ky[j] !== x[p] < x[q];
-        if (swapped !== back) [partner[i], partner[j]] = [q, p];
+        const forms = twin(x, y, p, q) && flat(kx, ky, i) && flat(kx, ky, j);
+        const parts = twin(kx, ky, i, j) && flat(x, y, p) && flat(x, y, q);
+        if ((forms && kx[i] > kx[j] !== y[p] > y[q]) || (parts && ky[i] > ky[j] !== x[p] > x[q])) {
+          [partner[i], partner[j]] = [q, p];
+        }
       }
     }
   }
@@ -300,7 +299,7 @@ function pointBeside(curve, t, guess) {
   const c = new Float64Array(n + 1);
   curve.fill(t, c);
   refine(c, n, x, y);
-  settle(x, y);
+  flatten(x, y);
   return permuted({ t, x, y }, pairing(guess.x, guess.y, x, y, new Int32Array(n)));
 }
 
@@ -416,13 +415,15 @@ function runningStation(system, state, station) {
   };
 }
 
+const lower = ({ x, y }, i) => y[i] < -1e-6 * Math.abs(x[i]);
+
 // Where traced branches cross the imaginary axis, by false position between two points (Illinois: the end that stays
 // counts half).
 function axisCrossings(curve, points) {
   return points.slice(1).flatMap((b, k) => {
     const a = points[k];
     return Array.from(a.x.keys()).flatMap((i) => {
-      if (a.x[i] * b.x[i] >= 0 || Math.min(a.y[i], b.y[i]) < 0) return [];
+      if (a.x[i] * b.x[i] >= 0 || lower(a, i) || lower(b, i)) return [];
       let [low, high, m] = [a, b, b];
       let [left, right] = [a.x[i], b.x[i]];
       for (let turn = 0; turn < 60 && Math.abs(m.x[i]) > 1e-12 * Math.hypot(m.x[i], m.y[i]) && high.t - low.t > 1e-12 * high.t; turn++) {
@@ -430,13 +431,13 @@ function axisCrossings(curve, points) {
         if (m.x[i] * right > 0) [high, right, left] = [m, m.x[i], left / 2];
         else [low, left, right] = [m, m.x[i], right / 2];
       }
-      return [{ gain: m.t, omega: m.y[i], direction: Math.sign(b.x[i] - a.x[i]) }];
+      return [{ gain: m.t, omega: Math.max(0, m.y[i]), direction: Math.sign(b.x[i] - a.x[i]) }];
     });
   });
 }
 
 const traced = (running, start, view) => [
-  trace(running.curve, running.back, start, view, true),
+  trace(running.curve, running.back, start, view),
   trace(running.curve, running.forth, start, view),
 ];
 

@@ -6,6 +6,8 @@ import { contextOf } from './picture.js';
 import { drawLocus } from './planes.js';
 import { cameraOf, fitted, insetOf, seen, zoomed } from './window.js';
 
+const KEYS_HELP = 'Arrows step the running parameter, plus and minus zoom, 0 fits, Shift with arrows pans, Tab goes to the poles.';
+
 export const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
 
 // What runs, with its unit, from where to where.
@@ -19,7 +21,7 @@ const dampingOf = (x, y) => -x / Math.hypot(x, y);
 export class LocusPlane {
   constructor(bench) {
     this.bench = bench;
-    this.canvas = element('canvas', { role: 'application', tabindex: '0', 'data-plane': 'locus' });
+    this.canvas = element('canvas', { role: 'application', tabindex: '0', 'data-plane': 'locus', 'aria-description': KEYS_HELP });
     this.tip = element('div', { class: 'tip', role: 'tooltip', 'aria-live': 'off', hidden: true });
     this.spot = element('div', { class: 'spot', hidden: true });
     this.handles = [];

@@ -105,12 +105,22 @@ export function roots(c) {
   const inner = c.slice(m, n + 1);
   const [x, y] = startingPoints(inner, n - m);
   refine(inner, n - m, x, y);
-  settle(x, y);
+  flatten(x, y);
   const origin = new Array(m).fill(0);
   return { x: [...origin, ...x], y: [...origin, ...y] };
 }
 
-// Rounding leaves a real root a little off the axis.
+// A root nearer to its own conjugate than any other root is has none: it is real, however small.
+export function flatten(x, y) {
+  for (let i = 0; i < x.length; i++) {
+    if (y[i] === 0) continue;
+    let least = Infinity;
+    for (let j = 0; j < x.length; j++) if (j !== i) least = Math.min(least, Math.hypot(x[i] - x[j], y[i] + y[j]));
+    if (2 * Math.abs(y[i]) < least) y[i] = 0;
+  }
+}
+
+// Rounding leaves a real root a little off the axis: a quick look, while a locus is traced.
 export function settle(x, y) {
   for (let i = 0; i < x.length; i++) if (Math.abs(y[i]) <= 1e-13 * Math.abs(x[i])) y[i] = 0;
 }
