@@ -34,7 +34,11 @@ export function polynomial({ parts, values }, sensor, jet, c) {
   return c;
 }
 
-const largest = (x) => x.reduce((a, b) => Math.max(a, b), -Infinity);
+// A root at the origin comes out of a sweep as a speck on either side of it.
+function largest(x) {
+  const value = x.reduce((a, b) => Math.max(a, b), -Infinity);
+  return Math.abs(value) < 1e-12 ? 0 : value;
+}
 
 export function rootsAt(plan, sensor, jet) {
   return roots(polynomial(plan, sensor, jet, new Float64Array(10)));

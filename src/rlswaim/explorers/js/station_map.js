@@ -86,7 +86,7 @@ function render({ model, el }) {
   const image = new ImageData(STATIONS, STATIONS);
   const pixels = new Int32Array(image.data.buffer);
   const picture = element('canvas', { width: STATIONS, height: STATIONS });
-  let [plan, key, step, line, cursor, cases] = [null, '', 0, [], null, []];
+  let [plan, key, step, line, cursor, cases, total] = [null, '', 0, [], null, [], null];
   let complete = false;
 
   const { canvas, figure } = plane('stations', [element('b', {}, 'Largest real part of all poles'), ' (1/s) for every sensor and jet'], { tabindex: '0', role: 'application' });
@@ -118,7 +118,14 @@ function render({ model, el }) {
         }
       });
     }
-    if (done) line = zeroLine(values, 1);
+    if (done) {
+      line = zeroLine(values, 1);
+      total = { stable: 0, neutral: 0 };
+      for (const value of values) {
+        if (value < 0) total.stable += 1;
+        if (value === 0) total.neutral += 1;
+      }
+    }
     complete = done;
     picture.getContext('2d').putImageData(image, 0, 0);
     view.redraw();
@@ -134,7 +141,7 @@ function render({ model, el }) {
     machine.start(plan);
     cases = payload.pairs.map((pair) => ({ ...pair, value: abscissaAt(plan, pair.sensor, pair.jet) }));
     table.show(cases.map(({ case: at, sensor, jet, value }) => ({
-      cells: [at, sensor, jet, signed(value), value < 0 ? 'yes' : 'no'].map(String),
+      cells: [at, sensor, jet, signed(value), value < 0 ? 'yes' : value > 0 ? 'no' : 'neutral'].map(String),
       data: { case: at, value },
     })));
   }
@@ -201,17 +208,15 @@ function render({ model, el }) {
     plot = drawMap(state, theme);
     drawScale(theme);
     const pair = rootsAt(plan, state.sensor, state.jet);
-    const value = pair.x.reduce((a, b) => Math.max(a, b));
-    const right = pair.x.filter((x) => x > 0).length;
-    const kind = value < 0 ? 'stable' : 'unstable';
-    word.className = kind;
-    set(word, value < 0 ? 'Stable' : 'Unstable');
+    const value = abscissaAt(plan, state.sensor, state.jet);
+    const right = value > 0 ? pair.x.filter((x) => x > 0).length : 0;
+    word.className = value > 0 ? 'unstable' : 'stable';
+    set(word, value < 0 ? 'Stable' : value > 0 ? 'Unstable' : 'Neutral');
     const why = `: with the sensor at ${number(state.sensor)} ft and the jet at ${number(state.jet)} ft the largest real part is ${signed(value)} 1/s${right ? `; ${right} of 9 poles lie right of the axis` : ''}.`;
     set(rest, why);
     Object.assign(words.dataset, { value });
-    const stable = values.reduce((count, v) => count + (v < 0 ? 1 : 0), 0);
     set(progress, complete
-      ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${stable ? `${stable.toLocaleString('en')} are stable` : 'none is stable'}.`
+      ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${total.stable.toLocaleString('en')} stable, ${total.neutral.toLocaleString('en')} with a root at zero and none right of it.`
       : `Computing: every ${step || 28} ft …`);
     el.dataset.step = complete ? 'complete' : String(step);
     const there = cursor ? ` The mark is at sensor ${cursor.sensor} ft, jet ${cursor.jet} ft: ${signed(abscissaAt(plan, cursor.sensor, cursor.jet))} 1/s.` : '';
