@@ -416,7 +416,7 @@ class TestStationMap:
                 """async ([code, payload, gains]) => {
                      const script = new Blob([code], { type: 'text/javascript' });
                      const map = await import(URL.createObjectURL(script));
-                     return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
+                     return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])].filter(r => r.values)
                        .map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
                 [module("roots", "abscissa"), view.payload, gains],

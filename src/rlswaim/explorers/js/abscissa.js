@@ -8,7 +8,7 @@ const AT_JET = ['', 'arm_r', 'phi_1_r', 'phi_2_r'];
 const AT_SENSOR = ['', 'phi_1_z', 'phi_2_z'];
 
 // At fixed gains: the polynomial that each pair of shapes multiplies, and the shapes.
-export function planOf({ terms, shapes }, gains) {
+export function planOf({ terms, shapes, pairs }, gains) {
   const parts = AT_SENSOR.map(() => AT_JET.map(() => new Float64Array(10)));
   for (const { factors, coefficients } of terms) {
     const weight = factors.reduce((w, name) => w * (gains[name] ?? 1), 1);
@@ -17,7 +17,7 @@ export function planOf({ terms, shapes }, gains) {
     coefficients.forEach((c, k) => (sum[k] += weight * c));
   }
   const values = Object.fromEntries(Object.entries(shapes).map(([name, shape]) => [name, shape.values]));
-  return { parts, values };
+  return { parts, values, pairs };
 }
 
 const ONE = { at: () => 1 };
@@ -34,7 +34,11 @@ export function polynomial({ parts, values }, sensor, jet, c) {
   return c;
 }
 
-const largest = (x) => x.reduce((a, b) => Math.max(a, b), -Infinity);
+// A root at the origin comes out of a sweep as a speck on either side of it.
+function largest(x) {
+  const value = x.reduce((a, b) => Math.max(a, b), -Infinity);
+  return Math.abs(value) < 1e-12 ? 0 : value;
+}
 
 export function rootsAt(plan, sensor, jet) {
   return roots(polynomial(plan, sensor, jet, new Float64Array(10)));
@@ -42,11 +46,36 @@ export function rootsAt(plan, sensor, jet) {
 
 export const abscissaAt = (plan, sensor, jet) => largest(rootsAt(plan, sensor, jet).x);
 
-// One row after the other: { step, jet, values }, each cell's roots started from those of the cell beside it.
+// The line of zero through n by n values `step` feet apart, by straight pieces (marching squares): x, y, x, y for each.
+function zeroLine(values, n, step) {
+  const path = [];
+  const share = (a, b) => a / (a - b);
+  for (let j = 0; j + 1 < n; j++) {
+    for (let s = 0; s + 1 < n; s++) {
+      const at = j * n + s;
+      const [a, b, c, d] = [values[at], values[at + 1], values[at + n + 1], values[at + n]];
+      const [p, q, r, t] = [a > 0, b > 0, c > 0, d > 0];
+      if (p === q && q === r && r === t) continue;
+      const points = [];
+      if (p !== q) points.push(s + share(a, b), j);
+      if (q !== r) points.push(s + 1, j + share(b, c));
+      if (t !== r) points.push(s + share(d, c), j + 1);
+      if (p !== t) points.push(s, j + share(a, d));
+      path.push(...points.map((v) => v * step));
+    }
+  }
+  return Float32Array.from(path);
+}
+
+// First the pairs asked for, then one row after the other, { step, jet, values }, coarse ones first, and after the last
+// of each fineness the line of zero. Each cell's roots start from those of the cell beside it.
 export function* rows(plan, steps = STEPS) {
+  yield { pairs: plan.pairs.map(({ sensor, jet }) => abscissaAt(plan, sensor, jet)) };
   const c = new Float64Array(10);
   const across = new Float64Array(10 * AT_SENSOR.length);
   for (const step of steps) {
+    const side = Math.ceil(STATIONS / step);
+    const all = new Float64Array(side * side);
     let [x, y] = [new Float64Array(9), new Float64Array(9)];
     let first = null;
     for (let jet = 0; jet < STATIONS; jet += step) {
@@ -58,7 +87,7 @@ export function* rows(plan, steps = STEPS) {
           across[10 * i + k] = sum;
         }
       });
-      const values = new Float64Array(Math.ceil(STATIONS / step));
+      const values = new Float64Array(side);
       if (first) [x, y] = first.map((points) => points.slice());
       for (let n = 0; n < values.length; n++) {
         const p = plan.values.phi_1_z[n * step];
@@ -67,8 +96,11 @@ export function* rows(plan, steps = STEPS) {
         values[n] = cell(c, x, y, first !== null || n > 0);
         if (n === 0) first = [x.slice(), y.slice()];
       }
+      all.set(values, (jet / step) * side);
       yield { step, jet, values };
     }
+    const count = (test) => all.reduce((sum, value) => sum + Number(test(value)), 0);
+    yield { step, line: zeroLine(all, side, step), stable: count((v) => v < 0), neutral: count((v) => v === 0) };
   }
 }
 

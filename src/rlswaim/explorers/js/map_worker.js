@@ -1,4 +1,4 @@
-// Runs beside the page: { id, plan } in, { id, rows, done } out every few milliseconds; a new plan ends the old one.
+// Runs beside the page: { id, plan } in, { id, rows } out every few milliseconds; a new plan ends the old one.
 import { rows } from './abscissa.js';
 
 let current = 0;
@@ -15,7 +15,7 @@ onmessage = ({ data: { id, plan } }) => {
       next = left.next();
       if (!next.done) found.push(next.value);
     }
-    postMessage({ id, rows: found, done: next.done });
+    postMessage({ id, rows: found });
     if (!next.done) setTimeout(work);
   };
   work();

@@ -1,5 +1,5 @@
 // The map over sensor and jet stations: computed beside the page, coarse first, drawn as it comes.
-import { STATIONS, abscissaAt, planOf, rootsAt, rows } from './abscissa.js';
+import { STATIONS, STEPS, abscissaAt, planOf, rootsAt, rows } from './abscissa.js';
 import { Table, apply, element, initialize, legend, mount, number, plane, set, signed } from './live.js';
 import { Plot } from './plot.js';
 
@@ -15,10 +15,10 @@ const share = (value) => Math.max(0, Math.min(1, 0.5 + (0.5 * Math.asinh(value /
 function calculator(code, receive) {
   let id = 0;
   let worker = null;
-  let last = null;
+  let latest = null;
   function here() {
     const mine = id;
-    const left = rows(last);
+    const left = rows(latest);
     const turn = () => {
       if (mine !== id) return;
       const until = performance.now() + 4;
@@ -28,7 +28,7 @@ function calculator(code, receive) {
         next = left.next();
         if (!next.done) found.push(next.value);
       }
-      receive(found, next.done);
+      receive(found);
       if (!next.done) setTimeout(turn);
     };
     turn();
@@ -36,10 +36,10 @@ function calculator(code, receive) {
   try {
     const address = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
     worker = new Worker(address, { type: 'module' });
-    worker.onmessage = ({ data }) => data.id === id && receive(data.rows, data.done);
+    worker.onmessage = ({ data }) => data.id === id && receive(data.rows);
     worker.onerror = () => {
       worker = null;
-      if (last) here();
+      if (latest) here();
     };
   } catch {
     worker = null;
@@ -47,7 +47,7 @@ function calculator(code, receive) {
   return {
     start(plan) {
       id += 1;
-      last = plan;
+      latest = plan;
       if (worker) worker.postMessage({ id, plan });
       else here();
     },
@@ -58,36 +58,13 @@ function calculator(code, receive) {
   };
 }
 
-// The line of zero through the values at every `step`-th station, by straight pieces (marching squares).
-export function zeroLine(values, step) {
-  const path = [];
-  const cross = (a, b) => a / (a - b);
-  for (let j = 0; j + step < STATIONS; j += step) {
-    for (let s = 0; s + step < STATIONS; s += step) {
-      const [a, b] = [values[j * STATIONS + s], values[j * STATIONS + s + step]];
-      const [d, c] = [values[(j + step) * STATIONS + s], values[(j + step) * STATIONS + s + step]];
-      if (a > 0 === b > 0 && b > 0 === c > 0 && c > 0 === d > 0) continue;
-      const points = [];
-      if (a > 0 !== b > 0) points.push([s + step * cross(a, b), j]);
-      if (b > 0 !== c > 0) points.push([s + step, j + step * cross(b, c)]);
-      if (d > 0 !== c > 0) points.push([s + step * cross(d, c), j + step]);
-      if (a > 0 !== d > 0) points.push([s, j + step * cross(a, d)]);
-      for (let k = 0; k + 1 < points.length; k += 2) path.push([points[k], points[k + 1]]);
-    }
-  }
-  return path;
-}
-
 function render({ model, el }) {
   const payload = model.get('payload');
   const gains = payload.parameters.map(({ name }) => name).filter((name) => !STATIONS_OF.includes(name));
   const palette = payload.palette.map((hex) => Number.parseInt(hex.slice(5) + hex.slice(3, 5) + hex.slice(1, 3), 16) | 0xff000000);
-  const values = new Float64Array(STATIONS * STATIONS);
-  const image = new ImageData(STATIONS, STATIONS);
-  const pixels = new Int32Array(image.data.buffer);
-  const picture = element('canvas', { width: STATIONS, height: STATIONS });
-  let [plan, key, step, line, cursor, cases] = [null, '', 0, [], null, []];
-  let complete = false;
+  let [plan, key, cursor] = [null, '', null];
+  let pictures = []; // of the last fineness that is whole, and of the one that comes in
+  let last = null; // the last fineness that is whole
 
   const { canvas, figure } = plane('stations', [element('b', {}, 'Largest real part of all poles'), ' (1/s) for every sensor and jet'], { tabindex: '0', role: 'application' });
   const scale = plane('scale', 'color of the map (1/s): below zero all poles decay');
@@ -104,24 +81,35 @@ function render({ model, el }) {
     ['◌', 'the keyboard’s mark: arrow keys move it (with Shift ten feet), Enter picks'],
   ]);
 
-  function receive(found, done) {
-    for (const row of found) {
-      if (row.step !== step && step) line = zeroLine(values, step);
-      step = row.step;
-      row.values.forEach((value, n) => {
-        const color = palette[Math.round(share(value) * (palette.length - 1))];
-        for (let j = row.jet; j < Math.min(STATIONS, row.jet + step); j++) {
-          for (let s = n * step; s < Math.min(STATIONS, (n + 1) * step); s++) {
-            values[j * STATIONS + s] = value;
-            pixels[(STATIONS - 1 - j) * STATIONS + s] = color;
-          }
-        }
-      });
+  // A picture of one fineness: a pixel for each pair, see-through where it has not come yet.
+  function pictureOf(step) {
+    const side = Math.ceil(STATIONS / step);
+    const canvas = element('canvas', { width: side, height: side });
+    return { step, side, canvas, line: canvas.getContext('2d').createImageData(side, 1) };
+  }
+
+  function paint({ step, jet, values }) {
+    if (pictures.at(-1)?.step !== step) pictures = [...pictures.slice(-1), pictureOf(step)];
+    const { side, canvas, line } = pictures.at(-1);
+    const pixels = new Int32Array(line.data.buffer);
+    values.forEach((value, n) => (pixels[n] = palette[Math.round(share(value) * (palette.length - 1))]));
+    canvas.getContext('2d').putImageData(line, 0, side - 1 - jet / step);
+  }
+
+  function receive(found) {
+    for (const part of found) {
+      if (part.pairs) showPairs(part.pairs);
+      else if (part.line) last = part;
+      else paint(part);
     }
-    if (done) line = zeroLine(values, 1);
-    complete = done;
-    picture.getContext('2d').putImageData(image, 0, 0);
     view.redraw();
+  }
+
+  function showPairs(values) {
+    table.show(payload.pairs.map(({ case: at, sensor, jet }, i) => ({
+      cells: [at, sensor, jet, signed(values[i]), values[i] < 0 ? 'yes' : values[i] > 0 ? 'no' : 'neutral'].map(String),
+      data: { case: at, value: values[i] },
+    })));
   }
   const machine = calculator(payload.worker, receive);
 
@@ -130,24 +118,22 @@ function render({ model, el }) {
     if (now === key) return;
     key = now;
     plan = planOf(payload, Object.fromEntries(gains.map((name) => [name, state[name]])));
-    [step, line, complete] = [0, [], false];
+    [pictures, last] = [pictures.slice(-1), null];
     machine.start(plan);
-    cases = payload.pairs.map((pair) => ({ ...pair, value: abscissaAt(plan, pair.sensor, pair.jet) }));
-    table.show(cases.map(({ case: at, sensor, jet, value }) => ({
-      cells: [at, sensor, jet, signed(value), value < 0 ? 'yes' : 'no'].map(String),
-      data: { case: at, value },
-    })));
   }
 
   function drawMap(state, theme) {
     const plot = new Plot(canvas, theme, { x: [-0.5, 420.5], y: [-0.5, 420.5], xLabel: 'station of the sensor (ft)', yLabel: 'station of the jet (ft)' }).axes();
     const { g } = plot;
     g.imageSmoothingEnabled = false;
-    if (step) g.drawImage(picture, plot.X(-0.5), plot.Y(420.5), 421 * plot.sx, 421 * plot.sy);
+    for (const { step, side, canvas: cells } of pictures) {
+      g.drawImage(cells, plot.X(-0.5), plot.Y(step * side - 0.5), step * side * plot.sx, step * side * plot.sy);
+    }
     g.beginPath();
-    for (const [[ax, ay], [bx, by]] of line) {
-      g.moveTo(plot.X(ax), plot.Y(ay));
-      g.lineTo(plot.X(bx), plot.Y(by));
+    const line = last?.line ?? [];
+    for (let k = 0; k < line.length; k += 4) {
+      g.moveTo(plot.X(line[k]), plot.Y(line[k + 1]));
+      g.lineTo(plot.X(line[k + 2]), plot.Y(line[k + 3]));
     }
     g.strokeStyle = '#000';
     g.lineWidth = 1.5;
@@ -159,7 +145,7 @@ function render({ model, el }) {
       g.lineWidth = width;
       g.stroke();
     };
-    for (const { sensor, jet } of cases) {
+    for (const { sensor, jet } of payload.pairs) {
       ring(sensor, jet, 4, '#fff', 3);
       ring(sensor, jet, 4, '#000', 1.3);
     }
@@ -201,19 +187,18 @@ function render({ model, el }) {
     plot = drawMap(state, theme);
     drawScale(theme);
     const pair = rootsAt(plan, state.sensor, state.jet);
-    const value = pair.x.reduce((a, b) => Math.max(a, b));
-    const right = pair.x.filter((x) => x > 0).length;
-    const kind = value < 0 ? 'stable' : 'unstable';
-    word.className = kind;
-    set(word, value < 0 ? 'Stable' : 'Unstable');
+    const value = abscissaAt(plan, state.sensor, state.jet);
+    const right = value > 0 ? pair.x.filter((x) => x > 0).length : 0;
+    word.className = value > 0 ? 'unstable' : 'stable';
+    set(word, value < 0 ? 'Stable' : value > 0 ? 'Unstable' : 'Neutral');
     const why = `: with the sensor at ${number(state.sensor)} ft and the jet at ${number(state.jet)} ft the largest real part is ${signed(value)} 1/s${right ? `; ${right} of 9 poles lie right of the axis` : ''}.`;
     set(rest, why);
     Object.assign(words.dataset, { value });
-    const stable = values.reduce((count, v) => count + (v < 0 ? 1 : 0), 0);
+    const complete = last?.step === 1;
     set(progress, complete
-      ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${stable ? `${stable.toLocaleString('en')} are stable` : 'none is stable'}.`
-      : `Computing: every ${step || 28} ft …`);
-    el.dataset.step = complete ? 'complete' : String(step);
+      ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${last.stable.toLocaleString('en')} stable${last.neutral ? `, ${last.neutral.toLocaleString('en')} neutral, with a root at zero and none right of it` : ''}.`
+      : `Computing: every ${pictures.at(-1)?.step ?? STEPS[0]} ft …`);
+    el.dataset.step = complete ? 'complete' : String(last?.step ?? 0);
     const there = cursor ? ` The mark is at sensor ${cursor.sensor} ft, jet ${cursor.jet} ft: ${signed(abscissaAt(plan, cursor.sensor, cursor.jet))} 1/s.` : '';
     canvas.setAttribute('aria-label', `Map of the largest real part over sensor and jet stations. ${word.textContent}${why} Arrow keys move a mark, Enter picks its pair.${there}`);
     scale.canvas.setAttribute('aria-label', 'Color scale from −10 to +10 1/s, purple below zero, orange above');
