@@ -1,4 +1,4 @@
-"""The live views beside the root loci: what Python sends, what the browser makes of it, what a reader does."""
+"""The live views beside the root loci: what Python sends, what the browser makes of it, what readers do."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -416,8 +416,8 @@ class TestStationMap:
                 """async ([code, payload, gains]) => {
                      const script = new Blob([code], { type: 'text/javascript' });
                      const map = await import(URL.createObjectURL(script));
-                     return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])].filter(r => r.values)
-                       .map(({ step, jet, values }) => [step, jet, [...values]]));
+                     return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
+                       .filter(r => r.values).map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
                 [module("roots", "abscissa"), view.payload, gains],
             )

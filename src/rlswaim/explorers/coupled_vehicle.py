@@ -107,7 +107,7 @@ def coefficient_table(booster: Booster) -> dict[str, tuple[Product, ...]]:
 
 
 def determinant_table(rows: Sequence[int], U: float) -> tuple[DeterminantTerm, ...]:
-    """Return the determinant of some ``rows`` and columns of Eq. 29 multiplied out, leading coefficient 1."""
+    """Return the determinant of ``rows`` and columns of Eq. 29 at speed ``U``, multiplied out and monic."""
 
     def entry(i: int, j: int) -> list[DeterminantTerm]:
         row, column = ROWS[i], ("alpha", "thetadot", "q1", "q2")[j]
@@ -204,10 +204,10 @@ def parameters(booster: Booster) -> tuple[Parameter, ...]:
     for s in booster.surfaces:
         C, meaning = f"C_{s.name}", f"slope of the normal force of the {s.name} (1/rad)"
         places = grid(C, np.linspace(0, 3 * s.C_Nalpha, 121))
-        found.append(Parameter(C, rf"\(C_{{N\alpha}}\) {s.name}", "1/rad", meaning, places))
+        found.append(Parameter(C, rf"\(C_{{N\alpha {s.name[0]}}}\)", "", meaning, places))
     for s in booster.surfaces:
         where = f"station of the {s.name} (ft)"
-        found.append(Parameter(f"l_{s.name}", f"Place {s.name}", "ft", where, tuple(range(421)), station))
+        found.append(Parameter(f"l_{s.name}", rf"\(l_{s.name[0]}\)", "ft", where, tuple(range(421)), station))
     known = ("coupling", *own)
     check = partial(_one_of, known=known)
     return (*found, Parameter("running", "Paths for", "", "what runs along the paths", known, check))
