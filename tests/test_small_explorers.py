@@ -15,7 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
 from rlswaim import explorers, stations, trajectory
-from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, station_map
+from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
 from rlswaim.explorers.live import LiveView, module
 from rlswaim.polynomials import characteristic_polynomial
 
@@ -262,7 +262,7 @@ class TestAscent:
 
 class TestCoupledVehicle:
     def test_coefficients_are_those_of_the_library(self):
-        table = coupled_vehicle.coefficient_table(BOOSTER)
+        table = coupling_tables.coefficient_table(BOOSTER)
         factors = {
             "q_D": 900.0,
             "C_payload": 0.03,
@@ -293,7 +293,7 @@ class TestCoupledVehicle:
         eqs = PRINTED
         for order in (2, 3, 4):
             p = np.zeros(9)
-            for weight, power, names in coupled_vehicle.determinant_table(range(order), eqs.U):
+            for weight, power, names in coupling_tables.determinant_table(range(order), eqs.U):
                 p[power] += weight * math.prod(eqs.coefficients[n] for n in names)
             assert p[: 2 * order] == pytest.approx(eqs.characteristic_polynomial(order), rel=1e-12, abs=1e-15)
 
