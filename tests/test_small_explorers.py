@@ -1,4 +1,4 @@
-"""The live views beside the root loci: what Python sends, what the browser makes of it, what a reader does."""
+"""The live views beside the root loci: what Python sends, what the browser makes of it, what readers do."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
 from rlswaim import explorers, stations, trajectory
-from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, station_map
+from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
 from rlswaim.explorers.live import LiveView, module
 from rlswaim.polynomials import characteristic_polynomial
 
@@ -262,7 +262,7 @@ class TestAscent:
 
 class TestCoupledVehicle:
     def test_coefficients_are_those_of_the_library(self):
-        table = coupled_vehicle.coefficient_table(BOOSTER)
+        table = coupling_tables.coefficient_table(BOOSTER)
         factors = {
             "q_D": 900.0,
             "C_payload": 0.03,
@@ -293,7 +293,7 @@ class TestCoupledVehicle:
         eqs = PRINTED
         for order in (2, 3, 4):
             p = np.zeros(9)
-            for weight, power, names in coupled_vehicle.determinant_table(range(order), eqs.U):
+            for weight, power, names in coupling_tables.determinant_table(range(order), eqs.U):
                 p[power] += weight * math.prod(eqs.coefficients[n] for n in names)
             assert p[: 2 * order] == pytest.approx(eqs.characteristic_polynomial(order), rel=1e-12, abs=1e-15)
 
@@ -416,8 +416,8 @@ class TestStationMap:
                 """async ([code, payload, gains]) => {
                      const script = new Blob([code], { type: 'text/javascript' });
                      const map = await import(URL.createObjectURL(script));
-                     return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])].filter(r => r.values)
-                       .map(({ step, jet, values }) => [step, jet, [...values]]));
+                     return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
+                       .filter(r => r.values).map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
                 [module("roots", "abscissa"), view.payload, gains],
             )

@@ -32,7 +32,7 @@ def parameters() -> tuple[Parameter, ...]:
         return Parameter(name, label, "s", meaning, tuple(range(low, high + 1)), check)
 
     return (
-        slider("upright", "Vertical until", "time until which the path is vertical (s)", UPRIGHT),
+        slider("upright", "Upright", "time until which the path is vertical (s)", UPRIGHT),
         slider("level", "Level at", "time at which the path is level (s)", LEVEL),
     )
 
@@ -52,7 +52,7 @@ def flights(ascent: Ascent, uprights: tuple[float, ...], levels: tuple[float, ..
 
 
 def between_nodes(tables: dict[str, NDArray], name: str) -> NDArray:
-    """Return a table's straight-line values in the middles of its cells."""
+    """Return the straight-line values of ``tables[name]`` in the middles of its cells."""
     t = tables[name]
     return (t[:-1, :-1] + t[1:, :-1] + t[:-1, 1:] + t[1:, 1:]) / 4
 
@@ -62,7 +62,19 @@ def _middles(nodes: Sequence[float]) -> tuple[float, ...]:
 
 
 def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tuple[int, int]:
-    """Return the flown program (s, s) with the least largest relative miss of the printed U, h and q_D."""
+    """Return the program in `flights`' tables with the least largest relative miss of a printed flight.
+
+    Parameters
+    ----------
+    tables : dict
+        Of all UPRIGHT and LEVEL.
+    flight : FlightCondition
+
+    Returns
+    -------
+    tuple of int
+        Upright until, level at (s).
+    """
 
     def miss(name: str) -> NDArray:
         wanted = getattr(flight, name)

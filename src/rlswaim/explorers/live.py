@@ -46,7 +46,25 @@ def _scope(name: str, text: str) -> str:
 
 
 def whole_between(name: str, value: object, where: str, *, low: int, high: int, unit: str) -> int:
-    """Return a whole number of ``unit`` between ``low`` and ``high``; ValueError or TypeError otherwise."""
+    """Return a whole number in a range.
+
+    Parameters
+    ----------
+    name, where : str
+        For the error's words.
+    value : object
+    low, high : int
+    unit : str
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    ValueError, TypeError
+        If it is not whole, not in the range, or no number.
+    """
     number = checks.real(name, value, where)
     if number != int(number) or not low <= number <= high:
         raise ValueError(

@@ -34,7 +34,7 @@ def _multiplied(*sums: Sequence[Part]) -> Iterator[Part]:
 
 
 def _by_jet(eqs: PerturbationEquations, output: str, thrust: str | None = None) -> Iterator[Part]:
-    """Yield what the jet enters a numerator by, or with ``thrust`` the coupling numerator: parts by factor."""
+    """Yield what the jet enters a numerator by, or with ``thrust`` the coupling numerator: by factor."""
 
     def numerator(arm: float, phi_1: float, phi_2: float) -> NDArray:
         at = eqs.l_CG + arm

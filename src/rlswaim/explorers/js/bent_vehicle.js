@@ -74,8 +74,8 @@ function picture(canvas, theme, payload, state, { each }) {
     const { station } = payload.sources[i];
     const [x, y] = [plot.X(station), plot.Y(axis[station][1])];
     plot.arrow(x, y, x, y + pixels(Z), theme[LOOKS[name] ?? 'rigid'], 3);
-    const word = i ? name : 'across';
-    if (Math.abs(pixels(Z)) > 4) plot.text(word, x + (i ? 0 : -24), y + pixels(Z) + Math.sign(Z) * 9, theme[LOOKS[name] ?? 'rigid']);
+    const word = i ? name : 'thrust, across';
+    if (Math.abs(pixels(Z)) > 4) plot.text(word, x + (i ? 0 : -40), y + pixels(Z) + Math.sign(Z) * 9, theme[LOOKS[name] ?? 'rigid']);
   });
   const wind = (state.theta - state.alpha) * RADIAN;
   const [wx, wy] = [plot.X(-70), plot.Y(-0.8 * REACH)];

@@ -6,7 +6,7 @@ import { Plot } from './plot.js';
 
 const MARKS = { 'short period': '^', 'mode 1': 's', 'mode 2': 'd', attitude: 'o' };
 const SIGNS = { 'short period': '▲', 'mode 1': '■', 'mode 2': '◆', attitude: '●' };
-const NAMES = { coupling: 'the coupling', omega_1: 'ω₁', omega_2: 'ω₂', q_D: 'qD' };
+const NAMES = { coupling: 'the coupling', omega_1: 'ω₁', omega_2: 'ω₂', q_D: 'qD', C_payload: 'the payload’s CNα (1/rad)', C_fins: 'the fins’ CNα (1/rad)', l_payload: 'the payload’s station', l_fins: 'the fins’ station' };
 const LADDER = [1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10];
 
 // The table has one value a foot; between two of them the picture takes the straight line.
