@@ -16,8 +16,8 @@ from cases import loops
 from exact import off_the_polyline
 from rlswaim.dual import final_design
 from rlswaim.figures.redraw import LocusPicture
-from rlswaim.locus import default_axes
 from rlswaim.openloop import open_loop
+from rlswaim.picture import default_axes
 from rlswaim.stations import station_map
 
 matplotlib.use("agg")

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import ArrayLike, NDArray
 
+from rlswaim import fast
+
 
 def determinant(matrix: NDArray) -> NDArray:
     """Return the determinant of a polynomial matrix, expanded along its first row.
@@ -32,7 +34,18 @@ def determinant(matrix: NDArray) -> NDArray:
 
 def trimmed(coefficients: ArrayLike) -> NDArray:
     """Return a polynomial's coefficients without leading zeros (at the end: constant term first)."""
-    return npp.polytrim(np.asarray(coefficients, dtype=float))
+    p = np.asarray(coefficients, dtype=float)
+    return p[: max(p.nonzero()[0], default=0) + 1]
+
+
+def derivative(coefficients: NDArray) -> NDArray:
+    """Return the ``coefficients`` of a polynomial's derivative."""
+    return coefficients[1:] * np.arange(1, coefficients.size)
+
+
+def values(coefficients: NDArray, s: NDArray) -> NDArray:
+    """Return a polynomial of given ``coefficients`` at points ``s``, shape (m,)."""
+    return np.vander(s, coefficients.size, increasing=True) @ coefficients
 
 
 def roots(coefficients: ArrayLike) -> NDArray:
@@ -49,7 +62,14 @@ def roots(coefficients: ArrayLike) -> NDArray:
     """
     p = trimmed(coefficients)
     at_origin = int(np.flatnonzero(p)[0]) if p.any() else 0
-    return np.concatenate([np.zeros(at_origin), npp.polyroots(p[at_origin:])]).astype(complex)
+    return np.concatenate([np.zeros(at_origin), _roots_elsewhere(p[at_origin:])]).astype(complex)
+
+
+def _roots_elsewhere(p: NDArray) -> NDArray:
+    """Return the roots of a polynomial whose constant term is not 0."""
+    module = fast.compiled() if p.size > 2 else None
+    found, trusted = module.roots(np.array(p)) if module else (None, False)
+    return np.sort(found) if trusted else _polished(p, npp.polyroots(p))
 
 
 def horner(
@@ -79,7 +99,7 @@ def horner(
     return p, slope, terms
 
 
-def polished(coefficients: NDArray, approximations: NDArray) -> NDArray:
+def _polished(coefficients: NDArray, approximations: NDArray) -> NDArray:
     """Return roots: approximations after one Newton step on the coefficients where it can only improve.
 
     A step is taken where it is small and larger than the rounding error of the
