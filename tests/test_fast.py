@@ -72,10 +72,10 @@ def test_given_gains_have_the_same_roots_and_names(system, both, count, sign):
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_pictures_are_as_good(system, both, sign):
-    """Both choose about as many gains, with the same marks, and each lies on the other's polyline."""
+    """The compiled way takes about as many gains or fewer, with the same marks; each lies on the other."""
     a, b = both(lambda: rl.root_locus(system, sign=sign))
     axes = default_axes(open_loop(system))
-    assert abs(a.gains.size - b.gains.size) <= 2 + 0.1 * b.gains.size
+    assert a.gains.size <= 2 + 1.1 * b.gains.size
     for one, other in ((a, b), (b, a)):
         assert off_the_polyline(one.roots.ravel(), other.roots, axes) < 0.25
     for mine, theirs in ((a.break_aways, b.break_aways), (a.crossings, b.crossings)):
@@ -92,8 +92,9 @@ def test_marks_of_a_break_away_end_on_one_branch_each(both):
 
 
 def test_what_is_not_trusted_is_left_to_eigenvalues(both):
-    """Of order 30 the polynomial hardly knows the roots: they come from the matrix, digit for digit."""
-    a, b = both(lambda: rl.root_locus(random_system(30, 0), np.geomspace(0.1, 10, 20)))
+    """Wilkinson's polynomial of order 20 hardly knows its roots: the matrix does, digit for digit."""
+    wilkinson = -np.diag(np.arange(1.0, 21)), np.ones((20, 1)), np.full((1, 20), 1e-3)
+    a, b = both(lambda: rl.root_locus(wilkinson, np.geomspace(0.1, 10, 20)))
     assert np.array_equal(a.roots, b.roots)
     assert (a.condition > 1e8).mean() > 0.25
 

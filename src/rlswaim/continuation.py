@@ -103,13 +103,13 @@ def solve(loop: OpenLoop, gains: NDArray) -> NDArray:
     """Return the closed-loop roots (K, n) for gains in any order, as branches continuous in the gain."""
     distinct, place = np.unique(gains, return_inverse=True)
     loop.refuse_infinite(distinct)
-    module = compiled(loop)
-    values = module and joined(loop, *module.follow(*moving(loop), distinct, norms(loop)))
-    if values is None:
-        long = distinct.size > 8 * ANCHOR and not loop.fixed_at_origin
-        found = _from_anchors(loop, distinct) if long else loop.eigenvalues(distinct)
-        values = continuous_branches(polished(loop, distinct, found))
-    return values[place]
+    if module := compiled(loop):
+        values = joined(loop, *module.follow(*moving(loop), distinct, norms(loop)))
+        if values is not None:
+            return values[place]
+    long = distinct.size > 8 * ANCHOR and not loop.fixed_at_origin
+    found = _from_anchors(loop, distinct) if long else loop.eigenvalues(distinct)
+    return continuous_branches(polished(loop, distinct, found))[place]
 
 
 def compiled(loop: OpenLoop) -> ModuleType | None:

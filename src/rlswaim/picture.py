@@ -80,20 +80,23 @@ def picture(
     lead = np.abs(loop.denominator).max() / max(np.abs(loop.numerator).max(), 1e-300)
     first = np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
     loop.refuse_infinite(sign * first)
-    found = _compiled(loop, first, axes, tolerance, sign, lead * DECADES[0]) if compiled(loop) else None
-    gains, values = found or _refined(loop, first, axes, tolerance, sign, lead * DECADES[0])
+    parts = loop, first, axes, tolerance, sign, lead * DECADES[0]
+    gains, values = _compiled(*parts) or _refined(*parts)
     return sign * gains, values
 
 
 def _compiled(
     loop: OpenLoop, first: NDArray, axes: Axes, tolerance: float, sign: int, offset: float
 ) -> tuple[NDArray, NDArray] | None:
-    """Return what `_refined` does, compiled; None where that is not to be trusted."""
+    """Return what `_refined` does, compiled; None where that can't be, or is not to be trusted."""
+    module = compiled(loop)
+    if module is None:
+        return None
     (N, D), lost = moving(loop), -sign / loop.D if loop.D else np.nan
     scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
     view = np.array([*axes, *scale, tolerance, lost])
     falling = np.array(first[::-1])
-    states, trusted = compiled(loop).picture(sign * N, D, falling, norms(loop), view, offset, MOST)
+    states, trusted = module.picture(sign * N, D, falling, norms(loop), view, offset, MOST)
     values = joined(loop, states, trusted, sign)
     return None if values is None else (states[:, 4, 0], values)
 

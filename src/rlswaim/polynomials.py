@@ -68,8 +68,11 @@ def roots(coefficients: ArrayLike) -> NDArray:
 def _roots_elsewhere(p: NDArray) -> NDArray:
     """Return the roots of a polynomial whose constant term is not 0."""
     module = fast.compiled() if p.size > 2 else None
-    found, trusted = module.roots(np.array(p)) if module else (None, False)
-    return np.sort(found) if trusted else _polished(p, npp.polyroots(p))
+    if module:
+        found, trusted = module.roots(np.array(p))
+        if trusted:
+            return np.sort(found)
+    return _polished(p, npp.polyroots(p))
 
 
 def horner(
@@ -99,19 +102,24 @@ def horner(
     return p, slope, terms
 
 
-def _polished(coefficients: NDArray, approximations: NDArray) -> NDArray:
-    """Return roots: approximations after one Newton step on the coefficients where it can only improve.
+def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) -> NDArray:
+    """Return roots: approximations after Newton steps on the coefficients where they can only improve.
 
-    A step is taken where it is small and larger than the rounding error of the
-    polynomial explains; multiple roots are left as they are.
+    A step is taken where it is small beside the distance to the next root, and larger than
+    the rounding error of the polynomial explains; multiple roots are left as they are.
     """
-    if not approximations.size:
-        return approximations
-    p, slope, terms = horner(coefficients, approximations)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        step = p / slope
-        useful = (np.abs(step) < 1e-6 * np.abs(approximations)) & (np.abs(p) > 1e-16 * terms)
-    return np.where(useful, approximations - np.where(useful, step, 0), approximations)
+    found = approximations
+    distance = np.abs(found[:, None] - found[None])
+    nearest = np.where(np.eye(found.size, dtype=bool), np.inf, distance).min(axis=1, initial=np.inf)
+    for _ in range(steps):
+        p, slope, terms = horner(coefficients, found)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step = p / slope
+            useful = (np.abs(step) < 1e-2 * nearest) & (np.abs(p) > 1e-16 * terms)
+        if not useful.any():
+            break
+        found = found - np.where(useful, step, 0)
+    return found
 
 
 def _exact_integers(matrix: NDArray) -> tuple[list[list[int]], int]:
