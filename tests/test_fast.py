@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rlswaim as rl
-from exact import off_the_polyline, paired, relative_errors
+from exact import exact_roots, off_the_polyline, paired, relative_errors
 from rlswaim import fast
 from rlswaim.openloop import open_loop
 from rlswaim.picture import default_axes
@@ -103,6 +103,16 @@ def test_what_is_not_trusted_is_left_to_eigenvalues(both):
 def test_polynomials_have_the_same_roots(both, p):
     a, b = both(lambda: rl.polynomials.roots(p[::-1]))
     assert mismatch(a, b) < 1e-12
+
+
+def test_roots_of_a_polynomial_of_order_38(both):
+    """Break-away points of a random system of order 20, all of size .05 or so, against 60 digits."""
+    loop = open_loop(SYSTEMS["random 20"])
+    p = np.convolve(loop.numerator, rl.polynomials.derivative(loop.denominator))
+    p -= np.convolve(loop.denominator, rl.polynomials.derivative(loop.numerator))
+    wanted = exact_roots(p)
+    for found in both(lambda: rl.polynomials.roots(p)):
+        assert relative_errors(found, wanted).max() < 1e-12
 
 
 def test_without_numba_or_room_for_its_cache_numpy_serves():

@@ -72,7 +72,9 @@ def _roots_elsewhere(p: NDArray) -> NDArray:
         found, trusted = module.roots(np.array(p))
         if trusted:
             return np.sort(found)
-    return _polished(p, npp.polyroots(p))
+    # Eigenvalues find roots of size 1 best.
+    size = np.exp((np.log(np.abs(p[0])) - np.log(np.abs(p[-1]))) / max(p.size - 1, 1))
+    return _polished(p, size * npp.polyroots(p / p[-1] * size ** np.arange(1.0 - p.size, 1)))
 
 
 def horner(
