@@ -14,8 +14,10 @@ from rlswaim.branches import continuous_branches, partners
 from rlswaim.openloop import OpenLoop
 from rlswaim.polynomials import horner
 
-ANCHOR = 8
-"""Of a long run of gains each eighth is solved by eigenvalues, and the others from these."""
+ANCHOR = 16
+"""Of a long run of gains each sixteenth is solved by eigenvalues, and the others from these."""
+FEW = 500
+"""So few roots are found soonest as eigenvalues."""
 
 
 class _Corrected(NamedTuple):
@@ -74,7 +76,7 @@ def inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) ->
     roots are conjugates of which, or the iteration is not to be trusted, or the work is small,
     eigenvalues serve.
     """
-    if gains.size * values.shape[1] < 500:
+    if gains.size * values.shape[1] < FEW:
         return loop.eigenvalues(gains)
     right = np.clip(np.searchsorted(known, gains), 1, known.size - 1)
     partner = partners(values)
@@ -85,7 +87,7 @@ def inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) ->
     found = np.empty((gains.size, values.shape[1]), dtype=complex)
     found[alike] = _symmetric(corrected.roots.T, partner[right[alike]])
     alike[alike] = corrected.trusted
-    found[~alike] = loop.eigenvalues(gains[~alike])
+    found[~alike] = polished(loop, gains[~alike], loop.eigenvalues(gains[~alike]))
     return found
 
 
@@ -94,7 +96,7 @@ def _from_anchors(loop: OpenLoop, gains: NDArray) -> NDArray:
     at = np.unique(np.append(np.arange(0, gains.size, ANCHOR), gains.size - 1))
     inner = np.setdiff1d(np.arange(gains.size), at)
     values = np.empty((gains.size, loop.denominator.size - 1), dtype=complex)
-    values[at] = continuous_branches(loop.eigenvalues(gains[at]))
+    values[at] = polished(loop, gains[at], continuous_branches(loop.eigenvalues(gains[at])))
     values[inner] = inserted(loop, gains[at], values[at], gains[inner])
     return values
 
@@ -107,9 +109,10 @@ def solve(loop: OpenLoop, gains: NDArray) -> NDArray:
         values = joined(loop, *module.follow(*moving(loop), distinct, norms(loop)))
         if values is not None:
             return values[place]
-    long = distinct.size > 8 * ANCHOR and not loop.fixed_at_origin
-    found = _from_anchors(loop, distinct) if long else loop.eigenvalues(distinct)
-    return continuous_branches(polished(loop, distinct, found))[place]
+    long = distinct.size > 4 * ANCHOR and distinct.size * (loop.denominator.size - 1) > 2 * FEW
+    if long and not loop.fixed_at_origin:
+        return continuous_branches(_from_anchors(loop, distinct))[place]
+    return continuous_branches(polished(loop, distinct, loop.eigenvalues(distinct)))[place]
 
 
 def compiled(loop: OpenLoop) -> ModuleType | None:
