@@ -13,19 +13,23 @@ run on one machine. The ratios carry over to other machines, the times do not. `
 again and writes this page.
 
 Machine: {machine}. Python {python}, rlswaim {rlswaim}, python-control {control}, numpy {numpy},
-scipy {scipy}.
+scipy {scipy}, numba {numba}.
 Each figure is a median; BLAS has one thread.
 """
 LOCI = """
 ## Root loci
 
-With given gains both solve the same ones. For "picture" each chooses its own, their number is in
+Numba is an optional extra, `pip install rlswaim[fast]`: where it is installed, loci are followed by compiled
+code, with the same roots to 1e-10. Both ways are timed, numba after a first call, which once on a machine
+compiles for some 20 s. The ratios are python-control's time over ours.
+
+With given gains all solve the same ones. For "picture" each chooses its own, their number is in
 parentheses: ours lie within a quarter pixel of the exact curve, which the tests check, and control's
 default does not. For "quarter pixel" control gets evenly spaced gains (in ln k, over the same span),
-twice as many each time until its polyline is as true.
+twice as many each time until its polyline is as true, or 8192.
 
-| work | ours (ms) | python-control (ms) | ratio |
-|---|---:|---:|---:|
+| work | ours, numpy (ms) | ours, numba (ms) | python-control (ms) | ratio, numpy | ratio, numba |
+|---|---:|---:|---:|---:|---:|
 """
 MAP = """
 ## Station map
@@ -42,12 +46,13 @@ def median(run):
 
 
 def locus_row(group, runs):
-    ours, control = (next(run for run in runs if run["name"] == who) for who in ("ours", "control"))
-    size = [
-        f" ({run['extra_info']['gains']})" if "gains" in run["extra_info"] else "" for run in (ours, control)
-    ]
-    times = [f"{1e3 * median(run):.2f}{more}" for run, more in zip((ours, control), size, strict=True)]
-    return f"| {group} | {times[0]} | {times[1]} | {median(control) / median(ours):.1f} |"
+    by_who = {run["name"]: run for run in runs}
+    ours_and_control = [by_who[who] for who in ("numpy", "numba", "control")]
+    sizes = [f" ({run['extra_info']['gains']})" if "gains" in run["extra_info"] else "" for run in runs]
+    sizes = dict(zip(by_who, sizes, strict=True))
+    times = [f"{1e3 * median(run):.2f}{sizes[run['name']]}" for run in ours_and_control]
+    ratios = [f"{median(by_who['control']) / median(run):.1f}" for run in ours_and_control[:2]]
+    return f"| {group} | {' | '.join([*times, *ratios])} |"
 
 
 def map_row(run):
@@ -56,17 +61,29 @@ def map_row(run):
     return f"| {pairs:,} | {median(run):.2f} | {1e6 * median(run) / pairs:.1f} | {memory:.0f} |"
 
 
+def loci(groups):
+    rows = [locus_row(name, runs) for name, runs in groups.items() if not name.startswith("station map")]
+    return LOCI + "\n".join(rows) + "\n"
+
+
+def maps(groups):
+    rows = map(map_row, sorted(groups["station map of Section VII"], key=median))
+    return MAP + "\n".join(rows) + "\n"
+
+
+SECTIONS = [loci, maps]
+"""What the page shows below its head: each is called with the runs by group and returns Markdown."""
+
+
 def page(data):
     runs = sorted(data["benchmarks"], key=lambda run: run["group"])
     groups = {group: list(found) for group, found in groupby(runs, key=lambda run: run["group"])}
     about = data["machine_info"]
     cpu = about["cpu"].get("brand_raw", "unknown processor")
     machine = f"{cpu}, {about['cpu']['count']} cores, {about['system']}"
-    versions = {name: version(name) for name in ("rlswaim", "control", "numpy", "scipy")}
-    loci = [locus_row(group, found) for group, found in groups.items() if not group.startswith("station map")]
-    maps = sorted(groups["station map of Section VII"], key=median)
+    versions = {name: version(name) for name in ("rlswaim", "control", "numpy", "scipy", "numba")}
     head = HEAD.format(machine=machine, python=about["python_version"], **versions)
-    return head + LOCI + "\n".join(loci) + "\n" + MAP + "\n".join(map(map_row, maps)) + "\n"
+    return head + "".join(section(groups) for section in SECTIONS)
 
 
 if __name__ == "__main__":

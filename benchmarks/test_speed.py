@@ -1,6 +1,6 @@
 """Times of root loci, redraws and station maps, each beside what people use now, in one run.
 
-Groups of pytest-benchmark: in each, "ours" and "control" do the same work.
+Groups of pytest-benchmark: in each, ours with "numpy", ours with "numba" and "control" do the same work.
 """
 
 import tracemalloc
@@ -14,18 +14,27 @@ from matplotlib.figure import Figure
 import rlswaim as rl
 from cases import loops
 from exact import off_the_polyline
+from rlswaim import fast
 from rlswaim.dual import final_design
 from rlswaim.figures.redraw import LocusPicture
-from rlswaim.locus import default_axes
 from rlswaim.openloop import open_loop
+from rlswaim.picture import default_axes
 from rlswaim.stations import station_map
 
 matplotlib.use("agg")
 LOOPS = loops()
-WHO = ["ours", "control"]
+WHO = ["numpy", "numba", "control"]
 
 
-def timed(benchmark, group, who, work, rounds=7):
+@pytest.fixture(autouse=True)
+def way(request, monkeypatch):
+    """Ours with numpy alone and with numba: one switch.  A warm-up round does what compiling there is."""
+    who = request.node.callspec.params.get("who", "numba")
+    monkeypatch.setattr(fast, "ENABLED", who == "numba")
+    assert (fast.compiled() is not None) == (who == "numba")
+
+
+def timed(benchmark, group, who, work, rounds=9):
     benchmark.group, benchmark.name = group, who
     return benchmark.pedantic(work, rounds=rounds, warmup_rounds=1)
 
@@ -36,11 +45,14 @@ def timed(benchmark, group, who, work, rounds=7):
 def test_given_gains(benchmark, name, count, who):
     """The same gains for both; both return continuous branches."""
     loop, gains = LOOPS[name], np.logspace(-3, 3, count)
-    work = {
-        "ours": lambda: rl.root_locus(loop, gains),
-        "control": lambda: control.root_locus_map(loop, gains=gains),
-    }
-    found = timed(benchmark, f"{count} given gains: {name}", who, work[who])
+    usual = who == "control"
+    found = timed(
+        benchmark,
+        f"{count} given gains: {name}",
+        who,
+        lambda: control.root_locus_map(loop, gains=gains) if usual else rl.root_locus(loop, gains),
+        rounds=5,
+    )
     assert len(found.gains) == count
 
 
@@ -49,8 +61,13 @@ def test_given_gains(benchmark, name, count, who):
 def test_picture(benchmark, name, who):
     """Ours is true to a quarter pixel; control's default is not, and takes what it takes."""
     loop = LOOPS[name]
-    work = {"ours": lambda: rl.root_locus(loop), "control": lambda: control.root_locus_map(loop)}
-    found = timed(benchmark, f"picture: {name}", who, work[who])
+    usual = who == "control"
+    found = timed(
+        benchmark,
+        f"picture: {name}",
+        who,
+        lambda: control.root_locus_map(loop) if usual else rl.root_locus(loop),
+    )
     benchmark.extra_info["gains"] = len(found.gains)
 
 
@@ -86,7 +103,7 @@ def test_redraw(benchmark, who):
     ax = figure.subplots()
     left, right, bottom, top = default_axes(open_loop(loop))
     ax.set(xlim=(left, right), ylim=(bottom, top))
-    picture = LocusPicture(ax, rl.root_locus(loop)) if who == "ours" else None
+    picture = None if who == "control" else LocusPicture(ax, rl.root_locus(loop))
 
     def usual():
         figure.clear()

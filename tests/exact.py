@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.locus import SCREEN
+from rlswaim.picture import SCREEN
 
 
 def exact_roots(coefficients):

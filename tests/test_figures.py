@@ -138,3 +138,10 @@ def test_a_redrawn_locus_has_the_pixels_of_a_new_one():
     assert np.array_equal(pixels(redrawn), pixels(picture(second)))
     with pytest.raises(ValueError, match="LocusPicture: got 1 branches, wanted 8"):
         redrawn.update(rl.root_locus(control.tf([1], [1, 1])))
+
+
+def test_ill_determined_roots_are_marked(ax):
+    """Only the double root of 1/(s (s + 2)) at k = 1 is marked, where it lies."""
+    locus = rl.root_locus(control.tf([1], [1, 2, 0]), [0.5, 1.0, 3.0])
+    marked = points(labelled(loci.draw_ill_determined(ax, locus), "ill-determined"))
+    assert marked == pytest.approx([-1, -1], abs=1e-6)

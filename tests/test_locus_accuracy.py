@@ -8,8 +8,8 @@ from scipy.linalg import block_diag
 import rlswaim as rl
 from exact import closed_loop, exact_roots, off_the_polyline, relative_errors
 from rlswaim.branches import continuous_branches
-from rlswaim.locus import default_axes
 from rlswaim.openloop import open_loop
+from rlswaim.picture import default_axes
 
 
 def report_loop(which):

@@ -6,7 +6,6 @@ Convention: negative feedback, 1 + k G(s) = 0, with k of either sign.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import control
 import numpy as np
@@ -14,18 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eig
 
 from rlswaim import checks
-from rlswaim.branches import branch_order, continuous_branches, partners
+from rlswaim.branches import branch_order, continuous_branches
+from rlswaim.continuation import solve
 from rlswaim.openloop import BreakAway, Crossing, OpenLoop, System, break_aways, crossings, open_loop
+from rlswaim.picture import Axes, default_axes, picture
 from rlswaim.polynomials import horner
-
-SCREEN = (800, 600)
-"""Size (pixels) of the picture for which gains are chosen."""
-ANCHOR = 8
-"""Of a long run of gains each eighth is solved by eigenvalues, and the others from these."""
-MOST = 4000
-"""No picture takes more gains than this."""
-
-Axes = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,197 +73,16 @@ def mode_name(pole: complex) -> str:
     return f"mode at {abs(pole):.3g} rad/s" if pole.imag else f"pole at {pole.real:.3g} 1/s"
 
 
-class _Corrected(NamedTuple):
-    """Aberth's roots (n, K), p' and the sizes of p's terms there, and which sets (K,) are to be trusted."""
-
-    roots: NDArray
-    slope: NDArray
-    terms: NDArray
-    trusted: NDArray
-
-
-def _aberth(polynomials: NDArray, sizes: NDArray, guess: NDArray, steps: int = 6) -> _Corrected:
-    """Return roots corrected by Aberth's iteration until rounding is all that is left of p."""
-    s, slope, terms = guess.copy(), np.empty_like(guess), np.empty(guess.shape)
-    n, busy = guess.shape[0], np.arange(guess.shape[1])
-    itself = np.eye(n, dtype=bool)[..., None]
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        for _ in range(steps):
-            z = s[:, busy]
-            p, slope[:, busy], terms[:, busy] = horner(polynomials[:, busy], z, sizes[:, busy])
-            good = np.abs(p) <= 4e-16 * n * terms[:, busy]
-            left = ~good.all(axis=0)
-            p, z, good, busy = p[:, left], z[:, left], good[:, left], busy[left]
-            if not busy.size:
-                break
-            newton = p / slope[:, busy]
-            push = np.where(itself, 0, 1 / np.where(itself, 1, z[:, None] - z[None])).sum(axis=1)
-            s[:, busy] = z - np.where(good, 0, newton / (1 - newton * push))
-        total = -polynomials[-2] / polynomials[-1]
-        trusted = np.abs(s.sum(axis=0) - total) <= 1e-12 * np.abs(s).sum(axis=0)
-    trusted[busy] = False
-    return _Corrected(s, slope, terms, trusted)
-
-
-def _symmetric(values: NDArray, partner: NDArray) -> NDArray:
-    """Return root sets (K, n) with exact conjugate pairs and exactly real roots."""
-    return (values + np.take_along_axis(values, partner, axis=1).conj()) / 2
-
-
-def _polished(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
-    """Return root sets (K, n) with Aberth's roots where the polynomial knows them better.
-
-    An eigenvalue's error is about 2^-52 times the norm of the matrix, so a small root beside
-    large ones, or at a large gain, is better taken from the polynomial.
-    """
-    found = _aberth(*loop.polynomials(gains), values.T)
-    norm = np.linalg.norm(loop.A) + np.abs(gains) * np.linalg.norm(loop.B) * np.linalg.norm(loop.C)
-    better = found.trusted & (found.terms < norm * np.abs(found.slope))
-    return np.where(better.T, _symmetric(found.roots.T, partners(values)), values)
-
-
-def _inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) -> NDArray:
-    """Return root sets (m, n) at gains inside the span of known rising gains with continuous branches.
-
-    Aberth's iteration starts from the neighbors' mean, weighted; where they differ in which
-    roots are conjugates of which, or the iteration is not to be trusted, or the work is small,
-    eigenvalues serve.
-    """
-    if gains.size * values.shape[1] < 500:
-        return loop.eigenvalues(gains)
-    right = np.clip(np.searchsorted(known, gains), 1, known.size - 1)
-    partner = partners(values)
-    alike = (partner[right - 1] == partner[right]).all(axis=1)
-    t = ((gains - known[right - 1]) / (known[right] - known[right - 1]))[:, None]
-    guess = ((1 - t) * values[right - 1] + t * values[right])[alike]
-    corrected = _aberth(*loop.polynomials(gains[alike]), guess.T)
-    found = np.empty((gains.size, values.shape[1]), dtype=complex)
-    found[alike] = _symmetric(corrected.roots.T, partner[right[alike]])
-    alike[alike] = corrected.trusted
-    found[~alike] = loop.eigenvalues(gains[~alike])
-    return found
-
-
-def _from_anchors(loop: OpenLoop, gains: NDArray) -> NDArray:
-    """Return root sets (K, n) for rising gains: eigenvalues at anchors, Aberth between them."""
-    at = np.unique(np.append(np.arange(0, gains.size, ANCHOR), gains.size - 1))
-    inner = np.setdiff1d(np.arange(gains.size), at)
-    values = np.empty((gains.size, loop.denominator.size - 1), dtype=complex)
-    values[at] = continuous_branches(loop.eigenvalues(gains[at]))
-    values[inner] = _inserted(loop, gains[at], values[at], gains[inner])
-    return values
-
-
-def _solve(loop: OpenLoop, gains: NDArray) -> NDArray:
-    """Return the closed-loop roots (K, n) for gains in any order, as branches continuous in the gain."""
-    distinct, place = np.unique(gains, return_inverse=True)
-    long = distinct.size > 8 * ANCHOR and not loop.fixed_at_origin
-    values = _from_anchors(loop, distinct) if long else loop.eigenvalues(distinct)
-    return continuous_branches(_polished(loop, distinct, values))[place]
-
-
-def default_axes(loop: OpenLoop) -> Axes:
-    """Return left, right, bottom, top (1/s) of a picture that shows all poles and zeros with some room."""
-    points = np.concatenate([loop.poles, loop.zeros, [0.0]])
-    left, right = points.real.min(), points.real.max()
-    top = np.abs(points.imag).max()
-    size = max(right - left, 2 * top, 1e-3)
-    room = 0.3 * max(right - left, size / 4)
-    return left - room, right + room, -1.3 * max(top, size / 8), 1.3 * max(top, size / 8)
-
-
-def _in_view(values: NDArray, axes: Axes) -> NDArray:
-    """Return which points lie on the picture or close to it."""
-    x, y = (axes[0] + axes[1]) / 2, (axes[2] + axes[3]) / 2
-    near = np.abs(values.real - x) < 0.55 * (axes[1] - axes[0])
-    return near & (np.abs(values.imag - y) < 0.55 * (axes[3] - axes[2]))
-
-
-def _deviation(loop: OpenLoop, gains: NDArray, values: NDArray, axes: Axes) -> NDArray:
-    """Return how far (pixels) the curve strays from its chord between neighbors, worst branch in view.
-
-    A cubic with slopes a, b against its chord strays at most 4/27 (|a| + |b|) times the chord.
-    The tangent is ds/dk = -N/p'; at a double root, where p' = 0, the slope of the other end serves.
-    """
-    scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
-    polynomials, sizes = loop.polynomials(gains)
-    _, slope, terms = horner(polynomials, values.T, sizes)
-    known = (np.abs(slope * values.T) > 1e-6 * terms).T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        tangent = -np.sign(gains[-1]) * horner(loop.numerator, values)[0] / slope.T
-    tangent = scale[0] * tangent.real + 1j * scale[1] * tangent.imag
-    chord = np.diff(values, axis=0)
-    chord = scale[0] * chord.real + 1j * scale[1] * chord.imag
-    turned = [t * chord.conj() for t in (tangent[:-1], tangent[1:])]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        steep = [np.where(t.real > 0, np.minimum(np.abs(t.imag) / t.real, 10), 10) for t in turned]
-    left = np.where(known[:-1], steep[0], steep[1])
-    right = np.where(known[1:], steep[1], steep[0])
-    seen = _in_view(values[:-1], axes) | _in_view(values[1:], axes)
-    stray = 4 / 27 * (left + right) * np.abs(chord)
-    return np.where(seen & (known[:-1] | known[1:]), stray, 0.0).max(axis=1, initial=0.0)
-
-
-def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray:
-    """Return the inner points of intervals of gains, each cut evenly in ln(k + offset)."""
-    which = np.repeat(np.arange(low.size), pieces - 1)
-    number = np.arange(which.size) - np.repeat(np.cumsum(pieces - 1) - (pieces - 1), pieces - 1) + 1
-    a, b = low[which] + offset, high[which] + offset
-    return a * (b / a) ** (number / pieces[which]) - offset
-
-
-def _picture(
-    loop: OpenLoop, marks: NDArray, axes: Axes, tolerance: float, sign: int
-) -> tuple[NDArray, NDArray]:
-    """Return gains of one sign, marks among them, and branches true to the curve within the tolerance."""
-    if not loop.numerator.any():  # nothing moves
-        gains = np.array([0.0, sign])
-        return gains, _solve(loop, gains)
-    lead = np.abs(loop.denominator).max() / max(np.abs(loop.numerator).max(), 1e-300)
-    offset = 1e-6 * lead
-    gains = np.unique(np.concatenate([[0.0], lead * np.logspace(-6, 7, 32), marks]))
-    values = continuous_branches(loop.eigenvalues(sign * gains))
-    while gains.size < MOST:
-        stray = _deviation(loop, sign * gains, values, axes)
-        bad = (
-            (stray > tolerance) & ~_through_infinity(loop, sign * gains) & (np.diff(gains) > 1e-9 * gains[1:])
-        )
-        if not bad.any():
-            break
-        # The deviation falls with the square of the step.
-        pieces = np.clip(np.ceil(1.25 * np.sqrt(stray[bad] / tolerance)), 2, 12).astype(int)
-        gains, values = _merged(
-            loop, sign, gains, values, _cut(gains[:-1][bad], gains[1:][bad], pieces, offset)
-        )
-    return sign * gains, _polished(loop, sign * gains, values)
-
-
-def _through_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
-    """Return in which intervals of gains a root passes through infinity: k = -1/D lies there."""
-    side = np.sign(1 + gains * loop.D)
-    return side[:-1] != side[1:]
-
-
-def _merged(
-    loop: OpenLoop, sign: int, gains: NDArray, values: NDArray, more: NDArray
-) -> tuple[NDArray, NDArray]:
-    """Return gains >= 0 and branches with those of some more gains."""
-    if sign > 0:
-        found = _inserted(loop, gains, values, more)
-    else:
-        found = _inserted(loop, -gains[::-1], values[::-1], -more)
-    order = np.argsort(np.concatenate([gains, more]), kind="stable")
-    branches = continuous_branches(np.concatenate([values, found])[order])
-    return np.concatenate([gains, more])[order], branches
-
-
 def _relative_condition(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
-    """Return sum |c_i| |s|^i / (|s| |p'(s)|) for each root (K, n); 1 for a root that rests at the origin."""
+    """Return sum |c_i| |s|^i / (|s| |p'(s)|) for each root (K, n).
+
+    A root that rests at the origin has 1, one that passes it infinity.
+    """
     polynomials, sizes = loop.polynomials(gains)
     _, slope, terms = horner(polynomials, values.T, sizes)
     with np.errstate(divide="ignore", invalid="ignore"):
         condition = terms / (np.abs(values.T) * np.abs(slope))
-    return np.where(values == 0, 1.0, condition.T)
+    return np.where(values == 0, np.where(sizes[:1].T > 0, np.inf, 1.0), condition.T)
 
 
 def _leaves(loop: OpenLoop, gain: float, values: NDArray) -> NDArray:
@@ -334,12 +145,12 @@ def root_locus(
             marks = np.append(marks[np.abs(marks - lost) > 1e-7 * abs(lost)], near)
         view = default_axes(loop) if axes is None else axes
         limit = checks.positive("tolerance", tolerance, "root_locus")
-        chosen, values = _picture(loop, marks[marks > 0], view, limit, sign)
+        chosen, values = picture(loop, marks[marks > 0], view, limit, sign)
     else:
         chosen = checks.frozen_array("gains", np.atleast_1d(np.asarray(gains)), "root_locus")
         if chosen.ndim != 1:
             raise ValueError(f"gains in root_locus: got shape {chosen.shape}, wanted one dimension")
-        values = _solve(loop, chosen)
+        values = solve(loop, chosen)
     return RootLocus(chosen, values, loop.poles, loop.zeros, breaks, crosses, loop)
 
 

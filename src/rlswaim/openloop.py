@@ -7,11 +7,10 @@ from typing import NamedTuple, TypeAlias
 
 import control
 import numpy as np
-from numpy.polynomial import polynomial as npp
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim import checks
-from rlswaim.polynomials import characteristic_polynomial, polished, roots, trimmed
+from rlswaim.polynomials import characteristic_polynomial, derivative, roots, trimmed, values
 
 System: TypeAlias = control.StateSpace | control.TransferFunction | Sequence[ArrayLike]
 EPS = np.finfo(float).eps
@@ -34,7 +33,10 @@ class BreakAway(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class OpenLoop:
-    """A single loop G as state space and as ratio of polynomials, constant term first."""
+    """A single loop G as state space and as ratio of polynomials, constant term first.
+
+    A ``companion`` matrix is made of the polynomials: it knows the roots no better than they do.
+    """
 
     A: NDArray
     B: NDArray
@@ -42,16 +44,17 @@ class OpenLoop:
     D: float
     numerator: NDArray
     denominator: NDArray
+    companion: bool = False
 
     @cached_property
     def poles(self) -> NDArray:
         """Open-loop poles (1/s)."""
-        return polished(self.denominator, roots(self.denominator))
+        return roots(self.denominator)
 
     @cached_property
     def zeros(self) -> NDArray:
         """Open-loop zeros (1/s)."""
-        return polished(self.numerator, roots(self.numerator))
+        return roots(self.numerator)
 
     @cached_property
     def fixed_at_origin(self) -> int:
@@ -67,6 +70,14 @@ class OpenLoop:
         D, kN = self.denominator[:, None], np.multiply.outer(N, gains)
         return D + kN, np.abs(D) + np.abs(kN)
 
+    def refuse_infinite(self, gains: NDArray) -> None:
+        """Raise a ValueError if one of the gains (K,) sends a root to infinity: k = -1/D."""
+        if (np.abs(1 + gains * self.D) <= EPS).any():
+            raise ValueError(
+                f"root_locus: got the gain {-1 / self.D:g} = -1/D, at which a root is at infinity; "
+                "wanted another gain"
+            )
+
     def eigenvalues(self, gains: NDArray) -> NDArray:
         """Return the closed-loop roots (K, n) for gains (K,) as eigenvalues, unordered.
 
@@ -75,13 +86,8 @@ class OpenLoop:
         ValueError
             If a gain sends a root to infinity: k = -1/D.
         """
-        scale = 1 + gains * self.D
-        if (np.abs(scale) <= EPS).any():
-            raise ValueError(
-                f"root_locus: got the gain {-1 / self.D:g} = -1/D, at which a root is at infinity; "
-                "wanted another gain"
-            )
-        closed = self.A - (gains / scale)[:, None, None] * (self.B @ self.C)
+        self.refuse_infinite(gains)
+        closed = self.A - (gains / (1 + gains * self.D))[:, None, None] * (self.B @ self.C)
         found = np.linalg.eigvals(closed).astype(complex)
         if self.fixed_at_origin:
             smallest = np.abs(found).argsort(axis=1)[:, : self.fixed_at_origin]
@@ -152,8 +158,9 @@ def _from_transfer(system: control.TransferFunction) -> OpenLoop:
     D = float(numerator[n]) if numerator.size == n + 1 else 0.0
     A, B = np.eye(n, k=1), np.zeros((n, 1))
     A[-1:], B[-1:] = -denominator[:n], 1.0
-    C = npp.polysub(numerator, D * denominator)[:n]
-    return OpenLoop(A, B, np.pad(C, (0, n - C.size))[None, :], D, numerator, denominator)
+    C = -D * denominator[:n]
+    C[: numerator.size] += numerator[:n]
+    return OpenLoop(A, B, C[None, :], D, numerator, denominator, True)
 
 
 def _from_state_space(system: control.StateSpace) -> OpenLoop:
@@ -179,11 +186,13 @@ def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
         By rising gain; of a conjugate pair the upper point alone.
     """
     N, D = loop.numerator, loop.denominator
-    q = trimmed(npp.polysub(npp.polymul(N, npp.polyder(D)), npp.polymul(D, npp.polyder(N))))
-    points = polished(q, roots(q)) if q.any() else np.zeros(0, complex)
+    q = np.convolve(N, derivative(D))
+    q[: D.size + N.size - 2] -= np.convolve(D, derivative(N)) if N.size > 1 else 0.0
+    q = trimmed(q)
+    points = roots(q) if q.any() else np.zeros(0, complex)
     points = points[points.imag >= 0]
     with np.errstate(divide="ignore", invalid="ignore"):
-        gains = -npp.polyval(points, D) / npp.polyval(points, N)
+        gains = -values(D, points) / values(N, points)
     real = np.isfinite(gains) & (np.abs(gains.imag) <= 1e-7 * np.abs(gains))
     pairs = zip(gains[real].real.tolist(), points[real].tolist(), strict=True)
     return tuple(sorted((BreakAway(k, p) for k, p in pairs), key=lambda b: b.gain))
@@ -192,8 +201,8 @@ def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
 def _crossing_frequencies(N: NDArray, D: NDArray) -> NDArray:
     """Return the frequencies w >= 0 (rad/s) where D/N is real: Im D(jw) conj N(jw) = w p(w^2) = 0."""
     turn = 1j ** np.arange(D.size)
-    odd = trimmed(npp.polymul(N * turn[: N.size], (D * turn).conj()).imag[1::2])
-    squares = polished(odd, roots(odd)) if odd.any() else np.zeros(0, complex)
+    odd = trimmed(np.convolve(N * turn[: N.size], (D * turn).conj()).imag[1::2])
+    squares = roots(odd) if odd.any() else np.zeros(0, complex)
     real = (np.abs(squares.imag) <= 1e-9 * np.abs(squares)) & (squares.real >= 0)
     return np.union1d(np.sqrt(squares[real].real), [0.0])
 
@@ -212,15 +221,11 @@ def crossings(loop: OpenLoop) -> tuple[Crossing, ...]:
     """
     m = loop.fixed_at_origin
     N, D = loop.numerator[m:], loop.denominator[m:]
-    found = []
-    slopes = npp.polyder(D), npp.polyder(N)
-    for omega in _crossing_frequencies(N, D) if N.any() else []:
-        s = 1j * omega
-        n_at, d_at = npp.polyval(s, N), npp.polyval(s, D)
-        if n_at == 0 or d_at == 0:
-            continue
-        k = float((-d_at / n_at).real)
-        slope = npp.polyval(s, slopes[0]) + k * npp.polyval(s, slopes[1])
-        if slope != 0 and np.isfinite(k):
-            found.append(Crossing(k, float(omega), int(np.sign((-n_at / slope).real))))
-    return tuple(sorted(found))
+    omega = _crossing_frequencies(N, D) if N.any() else np.zeros(0)
+    n_at, d_at, n_slope, d_slope = (values(p, 1j * omega) for p in (N, D, derivative(N), derivative(D)))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        k = -(d_at / n_at).real
+        ways = np.sign((-n_at / (d_slope + k * n_slope)).real)
+    known = (n_at != 0) & (d_at != 0) & np.isfinite(k) & np.isfinite(ways)
+    found = zip(k[known].tolist(), omega[known].tolist(), ways[known].astype(int).tolist(), strict=True)
+    return tuple(sorted(Crossing(*crossing) for crossing in found))

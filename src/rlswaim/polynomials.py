@@ -6,6 +6,8 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import ArrayLike, NDArray
 
+from rlswaim import fast
+
 
 def determinant(matrix: NDArray) -> NDArray:
     """Return the determinant of a polynomial matrix, expanded along its first row.
@@ -32,7 +34,18 @@ def determinant(matrix: NDArray) -> NDArray:
 
 def trimmed(coefficients: ArrayLike) -> NDArray:
     """Return a polynomial's coefficients without leading zeros (at the end: constant term first)."""
-    return npp.polytrim(np.asarray(coefficients, dtype=float))
+    p = np.asarray(coefficients, dtype=float)
+    return p[: max(p.nonzero()[0], default=0) + 1]
+
+
+def derivative(coefficients: NDArray) -> NDArray:
+    """Return the ``coefficients`` of a polynomial's derivative."""
+    return coefficients[1:] * np.arange(1, coefficients.size)
+
+
+def values(coefficients: NDArray, s: NDArray) -> NDArray:
+    """Return a polynomial of given ``coefficients`` at points ``s``, shape (m,)."""
+    return np.vander(s, coefficients.size, increasing=True) @ coefficients
 
 
 def roots(coefficients: ArrayLike) -> NDArray:
@@ -49,7 +62,19 @@ def roots(coefficients: ArrayLike) -> NDArray:
     """
     p = trimmed(coefficients)
     at_origin = int(np.flatnonzero(p)[0]) if p.any() else 0
-    return np.concatenate([np.zeros(at_origin), npp.polyroots(p[at_origin:])]).astype(complex)
+    return np.concatenate([np.zeros(at_origin), _roots_elsewhere(p[at_origin:])]).astype(complex)
+
+
+def _roots_elsewhere(p: NDArray) -> NDArray:
+    """Return the roots of a polynomial whose constant term is not 0."""
+    module = fast.compiled() if p.size > 2 else None
+    if module:
+        found, trusted = module.roots(np.array(p))
+        if trusted:
+            return np.sort(found)
+    # Eigenvalues find roots of size 1 best.
+    size = np.exp((np.log(np.abs(p[0])) - np.log(np.abs(p[-1]))) / max(p.size - 1, 1))
+    return _polished(p, size * npp.polyroots(p / p[-1] * size ** np.arange(1.0 - p.size, 1)))
 
 
 def horner(
@@ -79,19 +104,24 @@ def horner(
     return p, slope, terms
 
 
-def polished(coefficients: NDArray, approximations: NDArray) -> NDArray:
-    """Return roots: approximations after one Newton step on the coefficients where it can only improve.
+def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) -> NDArray:
+    """Return roots: approximations after Newton steps on the coefficients where they can only improve.
 
-    A step is taken where it is small and larger than the rounding error of the
-    polynomial explains; multiple roots are left as they are.
+    A step is taken where it is small beside the distance to the next root, and larger than
+    the rounding error of the polynomial explains; multiple roots are left as they are.
     """
-    if not approximations.size:
-        return approximations
-    p, slope, terms = horner(coefficients, approximations)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        step = p / slope
-        useful = (np.abs(step) < 1e-6 * np.abs(approximations)) & (np.abs(p) > 1e-16 * terms)
-    return np.where(useful, approximations - np.where(useful, step, 0), approximations)
+    found = approximations
+    distance = np.abs(found[:, None] - found[None])
+    nearest = np.where(np.eye(found.size, dtype=bool), np.inf, distance).min(axis=1, initial=np.inf)
+    for _ in range(steps):
+        p, slope, terms = horner(coefficients, found)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step = p / slope
+            useful = (np.abs(step) < 1e-2 * nearest) & (np.abs(p) > 1e-16 * terms)
+        if not useful.any():
+            break
+        found = found - np.where(useful, step, 0)
+    return found
 
 
 def _exact_integers(matrix: NDArray) -> tuple[list[list[int]], int]:

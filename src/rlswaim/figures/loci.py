@@ -98,6 +98,13 @@ def draw_root_locus(
     return draw_damping_grid(ax)
 
 
+def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:
+    """Mark on ``ax`` the roots of a ``locus`` that few digits don't fix: condition above ``limit``."""
+    at = locus.roots[locus.condition > limit]
+    ax.plot(at.real, at.imag, "o", ms=11, mfc="0.6", mec="none", alpha=0.5, ls="", label="ill-determined")
+    return ax
+
+
 def draw_closure(ax: Axes, closure: Closure, window: Window, label: str) -> Axes:
     """Draw a ``closure`` on ``ax`` (``window`` as in `draw_root_locus`), its poles with a ``label``."""
     draw_root_locus(ax, closure.locus, window, closure.parts)
