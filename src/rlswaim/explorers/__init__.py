@@ -10,11 +10,12 @@ from rlswaim.explorers.control_systems import (
 )
 from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
 from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_forms
-from rlswaim.explorers.presets import designs
+from rlswaim.explorers.presets import COMPARED, designs
 from rlswaim.explorers.station_map import station_map_explorer
 from rlswaim.explorers.widget import Explorer
 
 __all__ = [
+    "COMPARED",
     "Explorer",
     "MultiAffine",
     "ascent_explorer",
