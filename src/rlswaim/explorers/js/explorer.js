@@ -253,6 +253,7 @@ class Workbench {
       cancelAnimationFrame(this.frame);
       clearTimeout(this.timer);
       this.past.stop();
+      this.plane.stop();
       this.mode.stop();
       this.map.stop();
       for (const observer of [resized, watch]) observer.disconnect();

@@ -57,7 +57,7 @@ export class ModePanel {
     set(this.panel.extra, found ? `${pace}${end}` : 'this pole moves no coordinate of the vehicle');
     const entries = Object.entries(this.shown.shares).sort((a, b) => b[1] - a[1]);
     this.shares.hidden = !found;
-    while (this.shares.children.length < entries.length) this.shares.append(element('li', {}, element('span'), element('meter', { min: 0, max: 1 }), element('b')));
+    while (this.shares.children.length < entries.length) this.shares.append(element('li', {}, element('span'), element('meter', { min: 0, max: 1, 'aria-hidden': 'true' }), element('b')));
     entries.forEach(([name, share], k) => {
       const [label, meter, text] = this.shares.children[k].children;
       set(label, COORDINATES[name] ?? name);
@@ -75,7 +75,7 @@ export class ModePanel {
     const running = !this.still && !this.paused;
     if (running) this.phase = (2 * Math.PI * (now % PERIOD)) / PERIOD;
     const phases = this.still ? STILL : [this.phase ?? 0];
-    const marks = system.maps.map((name) => ({ station: desk.state[name], label: name }));
+    const marks = [{ station: system.vehicle.l_CG, label: 'CG' }, ...system.maps.map((name) => ({ station: desk.state[name], label: name }))];
     this.canvas.style.height = `${height}px`;
     drawBent(contextOf(this.canvas, width, height), width, height, theme, theme.branch(pole.name).color, shape, phases, marks);
     if (running && this.bench.isSeen(this)) this.next = requestAnimationFrame((time) => this.bench.isSeen(this) && this.#frame(time));
