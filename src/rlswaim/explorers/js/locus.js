@@ -1,5 +1,5 @@
 // Root loci from the table of terms that Python sends: nothing here knows any physics.
-import { derivative, evaluate, flatten, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
+import { anchor, derivative, evaluate, flatten, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
 
 // The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
 export function factorsOf(system, state) {
@@ -102,6 +102,8 @@ const sum = (a, b) => subtract(a, b.map((v) => -v));
 // D_odd N_even = D_even N_odd, or w = 0.
 export function crossings({ D, N }) {
   if (N.every((v) => v === 0)) return [];
+  // A root that stays at the origin hides another one that passes it.
+  if (D[0] === 0 && N[0] === 0) return crossings({ D: D.slice(1), N: N.slice(1) });
   const [De, Do, Ne, No] = [parts(D, 0), parts(D, 1), parts(N, 0), parts(N, 1)];
   const u = roots(subtract(multiply(Do, Ne), multiply(De, No)));
   const squares = u.x.filter((x, i) => x > 0 && Math.abs(u.y[i]) <= 1e-9 * x);
@@ -133,7 +135,7 @@ const twin = (x, y, i, j) => y[i] * y[j] < 0 && Math.hypot(x[i] - x[j], y[i] + y
 
 // A root that moves by less than a third of the distance to the next one is not taken for it.
 const NEAR = 0.1;
-const DEEPEST = 14;
+const DEEPEST = 28;
 
 // Follows all roots as t runs over the nodes, halving each step until the drawn polyline is within `tolerance` pixels
 // of the curve and no root moves so far that it could be taken for another.
@@ -156,6 +158,7 @@ export function trace(curve, nodes, start, view) {
     curve.fill(t, c);
     refine(c, n, x, y, 1e-3);
     settle(x, y);
+    anchor(c, x, y);
     return { t, x, y };
   }
 
@@ -242,7 +245,8 @@ export function trace(curve, nodes, start, view) {
       const move = bx * bx + by * by;
       // Between two nodes no root leaves the real axis or comes to it, other than at the nodes themselves.
       const meets = a.gap[i] === Infinity || b.gap[i] === Infinity;
-      if (depth < 10 && (move > NEAR * a.gap[i] || (!meets && real(a, i) !== real(b, i)))) return true;
+      if (depth < 16 && (move > NEAR * a.gap[i] || (!meets && real(a, i) !== real(b, i)))) return true;
+      if (!meets && real(a, i) !== real(b, i) && move > worst) return true; // a corner lies between them
       if (Math.max(a.x[i], m.x[i], b.x[i]) < left || Math.min(a.x[i], m.x[i], b.x[i]) > right) continue;
       if (Math.min(Math.abs(a.y[i]), Math.abs(m.y[i]), Math.abs(b.y[i])) > top) continue;
       const mx = m.x[i] - a.x[i];
@@ -300,6 +304,7 @@ function pointBeside(curve, t, guess) {
   curve.fill(t, c);
   refine(c, n, x, y);
   flatten(x, y);
+  anchor(c, x, y);
   return permuted({ t, x, y }, pairing(guess.x, guess.y, x, y, new Int32Array(n)));
 }
 
@@ -415,25 +420,51 @@ function runningStation(system, state, station) {
   };
 }
 
-const lower = ({ x, y }, i) => y[i] < -1e-6 * Math.abs(x[i]);
-
 // Where traced branches cross the imaginary axis, by false position between two points (Illinois: the end that stays
-// counts half).
+// counts half). Where a root stays at the origin, another that passes it there is told by the next coefficient's sign.
 function axisCrossings(curve, points) {
+  const c = new Float64Array(points[0].x.length + 1);
+  const next = (t) => {
+    curve.fill(t, c);
+    return c[0] === 0 ? c[1] : NaN;
+  };
   return points.slice(1).flatMap((b, k) => {
     const a = points[k];
-    return Array.from(a.x.keys()).flatMap((i) => {
-      if (a.x[i] * b.x[i] >= 0 || lower(a, i) || lower(b, i)) return [];
-      let [low, high, m] = [a, b, b];
-      let [left, right] = [a.x[i], b.x[i]];
-      for (let turn = 0; turn < 60 && Math.abs(m.x[i]) > 1e-12 * Math.hypot(m.x[i], m.y[i]) && high.t - low.t > 1e-12 * high.t; turn++) {
-        m = pointAt(curve, [low, high], low.t + ((high.t - low.t) * left) / (left - right));
-        if (m.x[i] * right > 0) [high, right, left] = [m, m.x[i], left / 2];
-        else [low, left, right] = [m, m.x[i], right / 2];
-      }
-      return [{ gain: m.t, omega: Math.max(0, m.y[i]), direction: Math.sign(b.x[i] - a.x[i]) }];
-    });
+    const found = throughOrigin(next, a.t, b.t, c);
+    const anchored = !Number.isNaN(next(b.t));
+    for (let i = 0; i < a.x.length; i++) {
+      if (a.x[i] * b.x[i] >= 0 || Math.max(Math.abs(a.x[i]), Math.abs(b.x[i])) < 1e-9) continue;
+      const m = crossingOf(curve, a, b, i);
+      // Of a pair the upper root tells of both.
+      if (m.y[i] < -1e-12 || (anchored && m.y[i] < 1e-9)) continue;
+      found.push({ gain: m.t, omega: Math.max(0, m.y[i]), direction: Math.sign(b.x[i] - a.x[i]) });
+    }
+    return found;
   });
+}
+
+function throughOrigin(next, from, to, c) {
+  let [low, high] = [from, to];
+  const [first, last] = [next(low), next(high)];
+  if (!(first * last < 0)) return [];
+  const direction = Math.sign((first - last) / c[2]);
+  for (let turn = 0; turn < 50; turn++) {
+    const t = (low + high) / 2;
+    if (next(t) * first > 0) low = t;
+    else high = t;
+  }
+  return [{ gain: high, omega: 0, direction }];
+}
+
+function crossingOf(curve, a, b, i) {
+  let [low, high, m] = [a, b, b];
+  let [left, right] = [a.x[i], b.x[i]];
+  for (let turn = 0; turn < 60 && Math.abs(m.x[i]) > 1e-12 * Math.hypot(m.x[i], m.y[i]) && high.t - low.t > 1e-12 * high.t; turn++) {
+    m = pointAt(curve, [low, high], low.t + ((high.t - low.t) * left) / (left - right));
+    if (m.x[i] * right > 0) [high, right, left] = [m, m.x[i], left / 2];
+    else [low, left, right] = [m, m.x[i], right / 2];
+  }
+  return m;
 }
 
 const traced = (running, start, view) => [

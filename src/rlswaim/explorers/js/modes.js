@@ -6,23 +6,26 @@ const size = ([re, im]) => Math.hypot(re, im);
 const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
 const over = (z, w) => times(z, [w[0] / (w[0] ** 2 + w[1] ** 2), -w[1] / (w[0] ** 2 + w[1] ** 2)]);
 
-// At a pole every input leaves the outputs in the same proportion; the one that rounding spoils least is taken.
+// At a pole every input leaves the outputs in the same proportion; the one that rounding spoils least is taken: that whose
+// values are largest beside the terms that they are sums of.
 function proportions(system, state, { re, im }) {
   const factors = factorsOf(system, state);
   const radius = Math.hypot(re, im);
-  let best = { clear: 0 };
+  let best = { clear: -Infinity };
   for (const outputs of Object.values(system.numerators)) {
     const values = {};
-    let clear = 0;
+    let [clear, largest] = [0, 0];
     for (const [name, terms] of Object.entries(outputs)) {
       const N = polynomial(terms, factors);
       values[name] = evaluate(N, re, im);
       const all = evaluate(N.map(Math.abs), radius, 0)[0];
-      if (all > 0) clear = Math.max(clear, size(values[name]) / all);
+      const share = all > 0 ? size(values[name]) / all : 0;
+      clear += Math.log(share + 1e-16);
+      largest = Math.max(largest, share);
     }
-    if (clear > best.clear) best = { clear, values };
+    if (clear > best.clear && largest > 1e-12) best = { clear, values };
   }
-  return best.clear > 1e-12 ? best.values : null;
+  return best.values ?? null;
 }
 
 // The mode at a pole { re, im }: each output, the share of each coordinate in the deflection (root of mean square along the

@@ -27,11 +27,11 @@ function setApart({ x, y }, scale) {
     const m = close.length;
     if (m === 1) continue;
     const mean = (v) => close.reduce((total, j) => total + v[j], 0) / m;
-    const [cx, cy] = [mean(x), mean(y)];
-    // A cluster on the real axis stays its own mirror image.
+    const [cx, cy] = [mean(x), Math.abs(mean(y)) < radius(2, size) ? 0 : mean(y)];
     close.forEach((j, k) => {
-      moved.x[j] = cx + radius(m, size) * Math.cos((2 * Math.PI * k) / m);
-      moved.y[j] = cy + (Math.abs(cy) > radius(2, size) || m > 2 ? radius(m, size) * Math.sin((2 * Math.PI * k) / m) : 0);
+      const angle = (2 * Math.PI * k) / m;
+      moved.x[j] = cx + radius(m, size) * Math.cos(angle);
+      moved.y[j] = cy + (m > 2 ? radius(m, size) * Math.sin(angle) : 0); // two stay beside each other, real if they may
     });
   }
   return moved;

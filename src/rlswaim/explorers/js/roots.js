@@ -120,6 +120,18 @@ export function flatten(x, y) {
   }
 }
 
+// A polynomial without a constant term has a root at the origin itself.
+export function anchor(c, x, y) {
+  for (let m = 0; c[m] === 0 && m < x.length; m++) {
+    let least = -1;
+    for (let i = 0; i < x.length; i++) {
+      if ((x[i] !== 0 || y[i] !== 0) && (least < 0 || Math.hypot(x[i], y[i]) < Math.hypot(x[least], y[least]))) least = i;
+    }
+    const there = x.filter((v, i) => v === 0 && y[i] === 0).length;
+    if (there <= m && least >= 0) x[least] = y[least] = 0;
+  }
+}
+
 // Rounding leaves a real root a little off the axis: a quick look, while a locus is traced.
 export function settle(x, y) {
   for (let i = 0; i < x.length; i++) if (Math.abs(y[i]) <= 1e-13 * Math.abs(x[i])) y[i] = 0;
