@@ -138,10 +138,26 @@ class TestPointer:
     def test_wheel_zooms_about_the_pointer(self, page):
         at = to_pixels(page, mode_2())
         before = scale_of(page)
-        page.mouse.move(*at)
+        page.mouse.move(*at, steps=3)
         one(page, lambda: page.mouse.wheel(0, -300))
         assert scale_of(page) > 1.4 * before
         assert to_pixels(page, mode_2()) == pytest.approx(at, abs=1)
+
+    def test_scrolling_past_does_not_zoom(self, page):
+        page.mouse.move(450, 20)
+        page.mouse.wheel(0, 100)
+        page.wait_for_function("scrollY > 0")
+        page.evaluate("scrollTo(0, 0)")
+        page.wait_for_timeout(100)
+        before = scale_of(page)
+        x, y = to_pixels(page, -3 + 3j)
+        page.mouse.move(x, y)
+        page.mouse.wheel(0, 60)
+        page.wait_for_function("scrollY > 0")
+        page.wait_for_timeout(100)
+        page.mouse.wheel(0, 60)
+        page.wait_for_timeout(200)
+        assert scale_of(page) == pytest.approx(before, rel=2e-3)
 
     def test_drag_pans_and_double_click_fits(self, page):
         before, at = picture(page), np.array(to_pixels(page, -8 + 5j))

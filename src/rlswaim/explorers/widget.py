@@ -42,8 +42,10 @@ SOURCES = (
     "export",
     "interact",
     "desk",
+    "sliders",
     "locusplane",
     "panels",
+    "modepanel",
     "explorer",
 )
 

@@ -6,52 +6,13 @@ import { copy, download, pythonOf, svgOf } from './export.js';
 import { History } from './history.js';
 import { closedLoop, margins } from './locus.js';
 import { LocusPlane, MAGNIFY } from './locusplane.js';
-import { helpPanel, MapPanel, ModePanel, ResponsePanel } from './panels.js';
+import { ModePanel } from './modepanel.js';
+import { helpPanel, legend, MapPanel, ResponsePanel } from './panels.js';
+import { initialize } from './sliders.js';
 import { PoleTable, polesAsText } from './table.js';
 import { crossingWords, marginWords, verdict } from './words.js';
 
 const LAG = 160; // ms until words that nobody watches follow the picture
-
-// Each parameter and the place of its slider keep each other: a slider that moves sets the value, a value set
-// otherwise moves the slider to the nearest place and stays as it is.
-function nearest(parameter, value) {
-  const off = parameter.grid.map((place) => (typeof place === 'string' ? Number(place !== value) : Math.abs(place - value)));
-  return off.indexOf(Math.min(...off));
-}
-
-function initialize({ model }) {
-  for (const parameter of model.get('payload').parameters) {
-    const { name, grid } = parameter;
-    const place = `${name}_at`;
-    model.on(`change:${name}`, () => {
-      const at = nearest(parameter, model.get(name));
-      if (at < 0 || at === model.get(place)) return;
-      model.set(place, at);
-      model.save_changes();
-    });
-    model.on(`change:${place}`, () => {
-      const at = model.get(place);
-      if (nearest(parameter, model.get(name)) === at) return;
-      model.set(name, grid[at]);
-      model.save_changes();
-    });
-  }
-}
-
-function legend() {
-  const entries = [
-    ['×', 'open-loop pole'],
-    ['○', 'open-loop zero'],
-    ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
-    ['▸', 'rising gain'],
-    ['◇', 'crossing: gain and ω'],
-    ['•', 'break-away; in the map, every 100 ft'],
-    ['╌', 'a pair whose roots left different poles'],
-    ['+', 'printed in the report'],
-  ];
-  const item = ([sign, meaning]) => element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
-  return element('ul', { class: 'legend' }, ...entries.map(item));
-}
 
 class Workbench {
   constructor(model, el) {
@@ -292,6 +253,7 @@ class Workbench {
       cancelAnimationFrame(this.frame);
       clearTimeout(this.timer);
       this.past.stop();
+      this.plane.stop();
       this.mode.stop();
       this.map.stop();
       for (const observer of [resized, watch]) observer.disconnect();

@@ -41,9 +41,12 @@ export function nearestPole({ x, y }, view, px, py, reach) {
 
 // acts: view(px, py), main(), pole(px, py, reach) -> index or -1, drag(index, px, py), dropped(), click(px, py, reach),
 // open(index), hover(px, py, reach) or hover(), move(camera), fit(), step(places).
+// Returns what stops listening to the page.
 export function handlePointers(canvas, acts) {
   const down = new Map();
   let act = null;
+  let last = null;
+  let meant = false; // has the pointer moved here since the page was scrolled?
 
   const place = (event) => {
     const box = canvas.getBoundingClientRect();
@@ -75,6 +78,8 @@ export function handlePointers(canvas, acts) {
 
   function move(event) {
     const [px, py] = place(event);
+    if (last && (event.screenX !== last[0] || event.screenY !== last[1])) meant = true;
+    last = [event.screenX, event.screenY];
     if (!down.has(event.pointerId)) return acts.hover(px, py, reachOf(event));
     if (act?.kind === 'pinch' && down.size === 2) pinch(event.pointerId, px, py);
     down.set(event.pointerId, [px, py]);
@@ -103,7 +108,11 @@ export function handlePointers(canvas, acts) {
     if (event.touches.length > 1 || acts.pole(clientX - box.left, clientY - box.top, REACH.touch) >= 0) event.preventDefault();
   }
 
+  // Who scrolls the page past the plane doesn't zoom it.
+  const scrolled = () => (meant = false);
+
   function wheel(event) {
+    if (!meant && !event.ctrlKey && document.activeElement !== canvas) return;
     event.preventDefault();
     const lines = event.deltaMode === 1 ? 16 : 1;
     const pinched = event.ctrlKey ? 6 : 1; // a trackpad's pinch comes as a wheel with Ctrl
@@ -117,7 +126,9 @@ export function handlePointers(canvas, acts) {
   canvas.addEventListener('pointerleave', () => acts.hover());
   canvas.addEventListener('touchstart', touched, { passive: false });
   canvas.addEventListener('wheel', wheel, { passive: false });
+  document.addEventListener('scroll', scrolled, { passive: true, capture: true });
   canvas.addEventListener('dblclick', (event) => acts.pole(...place(event), REACH.mouse) < 0 && acts.fit());
+  return () => document.removeEventListener('scroll', scrolled, { capture: true });
 }
 
 export function handleKeys(node, acts) {

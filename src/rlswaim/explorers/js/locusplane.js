@@ -33,7 +33,7 @@ export class LocusPlane {
     const stage = element('div', { class: 'stage' }, this.canvas, this.keys, this.spot, this.tip, this.#tools());
     this.node = element('figure', { class: 'locus' }, caption, stage);
     const acts = this.#acts();
-    handlePointers(this.canvas, acts);
+    this.stop = handlePointers(this.canvas, acts);
     handleKeys(this.canvas, acts);
     handleKeys(this.keys, acts);
   }

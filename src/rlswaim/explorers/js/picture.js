@@ -334,7 +334,7 @@ export class Picture {
     g.fill();
     this.stroke(theme.ink, 1.2);
     const at = number(gain, 3);
-    this.text(omega ? `${at} · ω ${number(omega, 3)}` : at, x + 9, y - 7, theme.ink, 'left');
+    this.text(omega ? `${at} · ω ${number(omega, 3)}` : at, x + 9, y - 14, theme.ink, 'left');
   }
 }
 
