@@ -4,7 +4,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rlswaim import dual
+from rlswaim.evidence.conclusions import found_gains
 from rlswaim.evidence.matching import printed_roots
+from rlswaim.evidence.search import winners
 from rlswaim.evidence.section_4 import K_C, WANTED
 from rlswaim.explorers.widget import Value
 from rlswaim.loops import as_text
@@ -14,15 +16,21 @@ from rlswaim.tables import read_table
 
 CORRECTED = {
     "Eq. 75, corrected": "the rigid-body design with the division by U that Eq. 61 leaves out",
-    "Gains found": "found by a search: all roots but a slow one left of the axis",
-    "Table 3, case 1": "gains found for case 1: no root right of the axis",
+    "Search": "found by a search, rounded: all roots but a slow one left of the axis",
+    "Table 3, case 1": "gains chosen by hand for case 1: no root right of the axis",
+    "Search, modest jet": "found by a search, rounded: all roots left of the axis, a pair at 2 rad/s and .5",
 }
 """What the book sets against the report's designs, by name, and in what it differs."""
-FOUND = {"V": ("single_sensor", "Gains found"), "VII": ("dual_actuation", "Table 3, case 1")}
-"""Sections with gains found where the report has none: their system, and the design's name."""
+SEARCHED = {
+    "V": ("single_sensor", "apart", "Search"),
+    "VI": ("two_sensor", "apart", "Search"),
+    "VII": ("modest_jet", "pair-all", "Search, modest jet"),
+}
+"""Sections with a winner of a search: its system and objective, and the design's name."""
 COMPARED = {
     "IV": ("Eq. 78", "Eq. 75, corrected"),
-    "V": ("Figure 16", "Gains found"),
+    "V": ("Figure 16", "Search"),
+    "VI": ("Figure 20", "Search"),
     "VII": ("Figure 25", "Table 3, case 1"),
 }
 """Presets of a section to see side by side: the report's design and the corrected one."""
@@ -56,9 +64,20 @@ def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dic
     if section == "IV":
         gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=-WANTED.real / abs(WANTED), K_C=K_C)
         return {"Eq. 75, corrected": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
-    system, name = FOUND.get(section, ("", ""))
-    rows = [row for row in read_table("gains_found") if row["system"] == system]
-    return {name: {row["parameter"]: float(row["value"]) for row in rows}} if rows else {}
+    by_hand = {"Table 3, case 1": dict(found_gains("dual_actuation"))} if section == "VII" else {}
+    return {**by_hand, **_searched(section)}
+
+
+def _searched(section: str) -> dict[str, dict[str, Value]]:
+    """Return a search's winner by name: gains to four figures, stations to a whole foot."""
+    system, objective, name = SEARCHED[section]
+    winner = next(w for w in winners() if (w.system, w.objective) == (system, objective))
+    return {
+        name: {
+            key: float(round(value) if key.startswith(("sensor", "jet")) else f"{value:.4g}")
+            for key, value in winner.gains.items()
+        }
+    }
 
 
 def _printed(section: str, start: str) -> list[dict[str, Any]]:
