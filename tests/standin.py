@@ -9,7 +9,6 @@ from playwright.sync_api import Browser, Page
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim.explorers import Explorer
-from rlswaim.explorers.widget import module
 
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
 
@@ -35,7 +34,7 @@ def opened(browser: Browser, explorer: Explorer, address: str = "", **context) -
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
     if address:
         page.goto(address)
-    page.evaluate(MODEL, [module(), explorer._css, model_state(explorer)])
+    page.evaluate(MODEL, [explorer._esm, explorer._css, model_state(explorer)])
     yield page
     assert not errors, errors
     page.context.close()

@@ -17,7 +17,6 @@ from playwright.sync_api import Browser, Page
 import rlswaim as rl
 from rlswaim import explorers
 from rlswaim.explorers import Explorer
-from rlswaim.explorers.widget import module
 from standin import MODEL, model_state, opened, paired, show, table
 
 EQUATIONS = rl.printed_equations()
@@ -485,7 +484,7 @@ class TestEveryControlSystem:
         assert len(seen) > 4
 
     def test_weight(self, any_view):
-        sent = json.dumps(any_view.payload) + module() + any_view._css
+        sent = json.dumps(any_view.payload) + explorer._esm + any_view._css
         assert len(gzip.compress(sent.encode())) < 150_000
 
     @pytest.mark.parametrize("theme", ["light", "dark"])
@@ -563,7 +562,7 @@ def test_works_under_a_policy_without_eval(browser, explorer):
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
-    state = json.dumps([module(), explorer._css, model_state(explorer)])
+    state = json.dumps([explorer._esm, explorer._css, model_state(explorer)])
     script = f"globalThis.opened = ({MODEL.strip().rstrip(';')})({state});"
     files = {
         SITE: (

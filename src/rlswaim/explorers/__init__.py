@@ -2,6 +2,7 @@
 
 from rlswaim.explorers.ascent import ascent_explorer
 from rlswaim.explorers.bent_vehicle import bent_vehicle_explorer
+from rlswaim.explorers.comparison import Comparison, comparison_explorer
 from rlswaim.explorers.control_systems import (
     dual_actuation_explorer,
     rate_attitude_explorer,
@@ -16,10 +17,12 @@ from rlswaim.explorers.widget import Explorer
 
 __all__ = [
     "COMPARED",
+    "Comparison",
     "Explorer",
     "MultiAffine",
     "ascent_explorer",
     "bent_vehicle_explorer",
+    "comparison_explorer",
     "coupled_vehicle_explorer",
     "designs",
     "dual_actuation_explorer",

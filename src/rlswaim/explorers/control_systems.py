@@ -242,10 +242,13 @@ def _shape_values(eqs: PerturbationEquations, kind: str, mode: int) -> list[floa
 
 
 def payload(system: ControlSystem, eqs: PerturbationEquations, forms: Forms) -> dict[str, Any]:
-    """Return what the browser gets of a control system beside sliders and characteristic polynomial."""
+    """Return what the browser gets of a control system but where its sliders stand."""
     jet = {"valve": COLORS["jet"]} if "K_r" in system.actuators else {}
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in system.loci) else {}
     return {
+        "system": system.name,
+        "parameters": [{"name": p.name, "grid": p.grid} for p in system.parameters(eqs)],
+        "terms": [term._asdict() for term in forms.polynomial.terms],
         "numerators": {
             i: {o: [term._asdict() for term in form.terms] for o, form in by_output.items()}
             for i, by_output in forms.numerators.items()

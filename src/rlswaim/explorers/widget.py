@@ -42,17 +42,17 @@ SOURCES = (
     "export",
     "interact",
     "desk",
-    "sliders",
     "locusplane",
     "panels",
     "modepanel",
-    "explorer",
+    "workbench",
 )
+"""The workbench, each script after those that it imports."""
 
 
-def module() -> str:
-    """Return the views' scripts as one ES module: joined in the order of their imports, without these."""
-    sources = (script("js", f"{name}.js") for name in SOURCES)
+def module(*views: str) -> str:
+    """Return the workbench and the scripts ``views`` as one ES module: joined in this order, without imports."""
+    sources = (script("js", f"{name}.js") for name in (*SOURCES, *views))
     return "\n".join(re.sub(r"^import [^;]*;\n", "", source, flags=re.MULTILINE) for source in sources)
 
 
@@ -143,7 +143,7 @@ class Explorer(anywidget.AnyWidget):
         If a value is not of its kind, or a parameter is unknown.
     """
 
-    _esm = module()
+    _esm = module("sliders", "explorer")
     _css = script("explorer.css")
     payload = traitlets.Dict().tag(sync=True)
     magnify = traitlets.Float(1.0, help="of the small window about the origin; 1: none").tag(sync=True)
@@ -168,14 +168,7 @@ class Explorer(anywidget.AnyWidget):
         for p in parameters:
             place = traitlets.Int(p.nearest(start[p.name])).tag(sync=True)
             self.add_traits(**{p.name: Checked(p, start[p.name]).tag(sync=True), f"{p.name}_at": place})
-        sent = {
-            "system": system,
-            "parameters": [{"name": p.name, "grid": p.grid} for p in parameters],
-            "initial": start,
-            "terms": [term._asdict() for term in form.terms],
-            **payload,
-        }
-        super().__init__(payload=sent)
+        super().__init__(payload={**payload, "initial": start})
         for p in parameters:
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
         self.panel = widgets.VBox(

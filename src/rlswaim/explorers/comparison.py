@@ -1,0 +1,109 @@
+"""The live view of Chapter VIII: any two designs met so far, side by side."""
+
+from typing import Any
+
+import anywidget
+import control
+import ipywidgets as widgets
+import traitlets
+
+from rlswaim import checks
+from rlswaim.explorers.control_systems import SYSTEMS, payload
+from rlswaim.explorers.presets import COMPARED
+from rlswaim.explorers.widget import Value, module
+from rlswaim.perturbation import PerturbationEquations
+from rlswaim.tables import script
+
+
+class Comparison(anywidget.AnyWidget):
+    """Two designs side by side, each on a workbench of its own; ``left`` and ``right`` choose from ``designs``.
+
+    Raises
+    ------
+    TraitError
+        If ``left`` or ``right`` is no place of ``designs``.
+    """
+
+    _esm = module("comparison")
+    _css = script("explorer.css")
+    payload = traitlets.Dict().tag(sync=True)
+    left = traitlets.Int().tag(sync=True)
+    right = traitlets.Int().tag(sync=True)
+
+    def __init__(self, eqs: PerturbationEquations) -> None:
+        checks.instance("eqs", eqs, PerturbationEquations, "comparison")
+        self._eqs = eqs
+        systems = {section: payload(system, eqs, system.forms(eqs)) for section, system in SYSTEMS.items()}
+        chosen = [(section, at) for section, sent in systems.items() for at in range(len(sent["presets"]))]
+        self._presets: list[tuple[str, dict[str, Any]]] = [
+            (section, systems[section]["presets"][at]) for section, at in chosen
+        ]
+        self.designs = [
+            f"{section}: {preset['name']} ({preset['note']})" for section, preset in self._presets
+        ]
+        sent = {"systems": systems, "designs": [{"system": s, "preset": at} for s, at in chosen]}
+        left, right = (self._place("IV", name) for name in COMPARED["IV"])
+        super().__init__(payload=sent, left=left, right=right)
+        self.panel = widgets.VBox(
+            [self._choice("left"), self._choice("right"), self], layout={"width": "100%"}
+        )
+
+    def _place(self, section: str, name: str) -> int:
+        return [(s, preset["name"]) for s, preset in self._presets].index((section, name))
+
+    def _choice(self, side: str) -> widgets.Dropdown:
+        """Return the list of designs for one side, joined to the view."""
+        chooser = widgets.Dropdown(
+            options=self.designs,
+            index=getattr(self, side),
+            description=side.capitalize(),
+            layout={"width": "100%", "max_width": "30rem"},
+        )
+        widgets.jslink((self, side), (chooser, "index"))
+        return chooser
+
+    @traitlets.validate("left", "right")
+    def _known(self, proposal: Any) -> int:
+        at = int(proposal["value"])
+        if not 0 <= at < len(self.designs):
+            raise traitlets.TraitError(
+                f"{proposal['trait'].name} in comparison: got {at}, wanted 0 to {len(self.designs) - 1}"
+            )
+        return at
+
+    def values(self, side: str) -> dict[str, Value]:
+        """Return the parameters of the design on a ``side``, "left" or "right"."""
+        return dict(self._presets[getattr(self, checks.one_of("side", side, ("left", "right")))][1]["values"])
+
+    def closed_loop(self, side: str) -> control.StateSpace:
+        """Return the closed loop of the design on a ``side``, "left" or "right"."""
+        section = self._presets[getattr(self, checks.one_of("side", side, ("left", "right")))][0]
+        return SYSTEMS[section].closed_loop(self._eqs, **self.values(side))
+
+    def __repr__(self) -> str:
+        """Return both designs in one line."""
+        return f"comparison: {self.designs[self.left]} beside {self.designs[self.right]}"
+
+    def _repr_mimebundle_(self, **kwargs: object) -> Any:
+        return {**self.panel._repr_mimebundle_(**kwargs), "text/plain": repr(self)}
+
+
+def comparison_explorer(eqs: PerturbationEquations) -> Comparison:
+    """Return the live view of two designs of Sections IV to VII side by side.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+
+    Returns
+    -------
+    Comparison
+        ``left`` and ``right`` are places in ``designs``; it starts with the rigid-body design of
+        Section IV as printed and corrected [Eqs. 61 to 78].
+
+    Raises
+    ------
+    TypeError
+        If ``eqs`` are no PerturbationEquations.
+    """
+    return Comparison(eqs)
