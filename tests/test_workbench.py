@@ -484,7 +484,7 @@ class TestEveryControlSystem:
         assert len(seen) > 4
 
     def test_weight(self, any_view):
-        sent = json.dumps(any_view.payload) + explorer._esm + any_view._css
+        sent = json.dumps(any_view.payload) + any_view._esm + any_view._css
         assert len(gzip.compress(sent.encode())) < 150_000
 
     @pytest.mark.parametrize("theme", ["light", "dark"])

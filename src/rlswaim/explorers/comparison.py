@@ -16,7 +16,7 @@ from rlswaim.tables import script
 
 
 class Comparison(anywidget.AnyWidget):
-    """Two designs side by side, each on a workbench of its own; ``left`` and ``right`` choose from ``designs``.
+    """Two designs side by side, each on a workbench; ``left`` and ``right`` choose from ``designs``.
 
     Raises
     ------

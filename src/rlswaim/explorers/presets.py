@@ -64,8 +64,10 @@ def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dic
     if section == "IV":
         gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=-WANTED.real / abs(WANTED), K_C=K_C)
         return {"Eq. 75, corrected": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
-    by_hand = {"Table 3, case 1": dict(found_gains("dual_actuation"))} if section == "VII" else {}
-    return {**by_hand, **_searched(section)}
+    by_hand: dict[str, dict[str, Value]] = {}
+    if section == "VII":
+        by_hand["Table 3, case 1"] = {**found_gains("dual_actuation")}
+    return by_hand | _searched(section)
 
 
 def _searched(section: str) -> dict[str, dict[str, Value]]:

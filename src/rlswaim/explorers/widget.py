@@ -51,7 +51,7 @@ SOURCES = (
 
 
 def module(*views: str) -> str:
-    """Return the workbench and the scripts ``views`` as one ES module: joined in this order, without imports."""
+    """Return the workbench and ``views`` as one ES module: joined in this order, without imports."""
     sources = (script("js", f"{name}.js") for name in (*SOURCES, *views))
     return "\n".join(re.sub(r"^import [^;]*;\n", "", source, flags=re.MULTILINE) for source in sources)
 
