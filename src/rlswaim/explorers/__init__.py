@@ -7,10 +7,11 @@ from rlswaim.explorers.control_systems import (
     two_sensor_explorer,
 )
 from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_forms
-from rlswaim.explorers.presets import designs
+from rlswaim.explorers.presets import COMPARED, designs
 from rlswaim.explorers.widget import Explorer
 
 __all__ = [
+    "COMPARED",
     "Explorer",
     "MultiAffine",
     "designs",

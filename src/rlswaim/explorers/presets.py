@@ -12,8 +12,20 @@ from rlswaim.perturbation import PerturbationEquations
 from rlswaim.rigid_body import rigid_body, rigid_design
 from rlswaim.tables import read_table
 
-FOUND = {"V": ("single_sensor", "search"), "VII": ("dual_actuation", "Table 3, case 1")}
-"""Sections with gains found where the report has none: their system, and how the preset is called."""
+CORRECTED = {
+    "Eq. 75, corrected": "the rigid-body design with the division by U that Eq. 61 leaves out",
+    "Gains found": "found by a search: all roots but a slow one left of the axis",
+    "Table 3, case 1": "gains found for case 1: no root right of the axis",
+}
+"""What the book sets against the report's designs, by name, and in what it differs."""
+FOUND = {"V": ("single_sensor", "Gains found"), "VII": ("dual_actuation", "Table 3, case 1")}
+"""Sections with gains found where the report has none: their system, and the design's name."""
+COMPARED = {
+    "IV": ("Eq. 78", "Eq. 75, corrected"),
+    "V": ("Figure 16", "Gains found"),
+    "VII": ("Figure 25", "Table 3, case 1"),
+}
+"""Presets of a section to see side by side: the report's design and the corrected one."""
 
 
 def _value(text: str) -> Value:
@@ -43,7 +55,7 @@ def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dic
     """
     if section == "IV":
         gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=-WANTED.real / abs(WANTED), K_C=K_C)
-        return {"Eq. 75": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
+        return {"Eq. 75, corrected": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
     system, name = FOUND.get(section, ("", ""))
     rows = [row for row in read_table("gains_found") if row["system"] == system]
     return {name: {row["parameter"]: float(row["value"]) for row in rows}} if rows else {}
@@ -84,8 +96,8 @@ def presets(
     ]
     return own + [
         {
-            "name": f"{name}, corrected",
-            "label": "corrected design",
+            "name": name,
+            "label": CORRECTED[name],
             "values": values,
             "locus": len(loci) - 1,
             "printed": [],

@@ -158,27 +158,32 @@ export function pairing(ax, ay, bx, by, partner) {
   return partner;
 }
 
+// Room for the assignment, made once: it is called thousands of times in a frame.
+const MOST = 24;
+const [us, vs, least] = [new Float64Array(MOST), new Float64Array(MOST), new Float64Array(MOST)];
+const [rowOf, way, seen] = [new Int32Array(MOST), new Int32Array(MOST), new Int32Array(MOST)];
+
 // The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form).
 function assign(ax, ay, bx, by, partner) {
   const n = ax.length;
-  const cost = (i, j) => (ax[i] - bx[j]) ** 2 + (ay[i] - by[j]) ** 2;
-  const u = new Float64Array(n + 1);
-  const v = new Float64Array(n + 1);
-  const row = new Int32Array(n + 1).fill(-1); // of each column; column n stands for "not yet"
+  us.fill(0);
+  vs.fill(0);
+  rowOf.fill(-1); // of each column; column n stands for "not yet"
   for (let i = 0; i < n; i++) {
-    const least = new Float64Array(n + 1).fill(Infinity);
-    const way = new Int32Array(n + 1);
-    const seen = new Uint8Array(n + 1);
+    least.fill(Infinity);
+    seen.fill(0);
     let column = n;
-    row[n] = i;
-    while (row[column] >= 0) {
+    rowOf[n] = i;
+    while (rowOf[column] >= 0) {
       seen[column] = 1;
-      const at = row[column];
+      const at = rowOf[column];
       let delta = Infinity;
       let next = n;
       for (let j = 0; j < n; j++) {
         if (seen[j]) continue;
-        const slack = cost(at, j) - u[at] - v[j];
+        const ex = ax[at] - bx[j];
+        const ey = ay[at] - by[j];
+        const slack = ex * ex + ey * ey - us[at] - vs[j];
         if (slack < least[j]) {
           least[j] = slack;
           way[j] = column;
@@ -190,17 +195,17 @@ function assign(ax, ay, bx, by, partner) {
       }
       for (let j = 0; j <= n; j++) {
         if (seen[j]) {
-          u[row[j]] += delta;
-          v[j] -= delta;
+          us[rowOf[j]] += delta;
+          vs[j] -= delta;
         } else least[j] -= delta;
       }
       column = next;
     }
     while (column !== n) {
-      row[column] = row[way[column]];
+      rowOf[column] = rowOf[way[column]];
       column = way[column];
     }
-    row[n] = -1;
+    rowOf[n] = -1;
   }
-  for (let j = 0; j < n; j++) partner[row[j]] = j;
+  for (let j = 0; j < n; j++) partner[rowOf[j]] = j;
 }
