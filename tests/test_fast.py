@@ -115,6 +115,16 @@ def test_roots_of_a_polynomial_of_order_38(both):
         assert relative_errors(found, wanted).max() < 1e-12
 
 
+def test_four_integrators_and_a_pair_beside_its_zeros():
+    """Gains up to 5e15 and four roots that leave the origin, found by fuzzing: each root satisfies D + k N."""
+    system = control.tf([1, 1, 9.01, 9.01, 0.09, 0.09], [1, 0, 0.01, 0, 0, 0, 0])
+    locus = rl.root_locus(system, sign=-1)
+    p, sizes = locus.loop.polynomials(locus.gains)
+    value, _, terms = rl.polynomials.horner(p, locus.roots.T, sizes)
+    assert (np.abs(value) <= 1e-12 * terms).all()
+    assert locus.gains.size < 100
+
+
 def test_without_numba_or_room_for_its_cache_numpy_serves():
     """In fresh processes: numba can't be imported; nothing may be written beside the sources or at home."""
     work = "import rlswaim as rl, control; print(rl.root_locus(control.tf([1], [1, 2, 2, 0])).gains.size)"

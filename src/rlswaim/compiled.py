@@ -98,7 +98,7 @@ def _all_there(p: NDArray, x: NDArray, y: NDArray, w: NDArray) -> bool:
         if not w[4, j] < 1e300:
             return False
         own = _size(x[j], y[j])
-        error = 1e-12 * own + 1e-15 * x.size * w[4, j] / _size(w[2, j], w[3, j])
+        error = 1e-12 * own + 1e-15 * x.size * w[4, j] / max(_size(w[2, j], w[3, j]), 1e-300)
         total, size = total + x[j], size + error
         if p[0] != 0:
             inverse, inverse_size = inverse + x[j] / own**2, inverse_size + error / own**2
