@@ -4,6 +4,7 @@ import base64
 import gzip
 import json
 import math
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -213,3 +214,8 @@ class TestView:
         page.evaluate("async () => { const d = drawn(); el.style.width = '328px'; await d; }")
         assert page.evaluate("el.scrollWidth") <= 328
         page.evaluate("async () => { const d = drawn(); el.style.width = ''; await d; }")
+
+
+def test_no_name_stands_twice_in_the_joined_module():
+    names = re.findall(r"^(?:export )?(?:const|let|function|class) (\w+)", module(), re.MULTILINE)
+    assert sorted(names) == sorted(set(names))

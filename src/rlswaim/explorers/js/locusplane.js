@@ -4,7 +4,7 @@ import { handleKeys, handlePointers, nearestOn, nearestPole } from './interact.j
 import { gainAt, rootLocus } from './locus.js';
 import { contextOf } from './picture.js';
 import { drawLocus } from './planes.js';
-import { cameraOf, fitted, insetOf, seen, zoomed } from './window.js';
+import { cameraOf, fitted, insetOf, windowOf, zoomed } from './window.js';
 
 const KEYS_HELP = 'Arrows step the running parameter, plus and minus zoom, 0 fits, Shift with arrows pans, Tab goes to the poles.';
 
@@ -73,7 +73,7 @@ export class LocusPlane {
   // The window as it will be drawn next: more than one move may come in a frame.
   #now() {
     const { camera } = this.bench.desk.view;
-    return camera ? seen(camera, this.view.width, this.view.height) : this.view;
+    return camera ? windowOf(camera, this.view.width, this.view.height) : this.view;
   }
 
   #viewAt(px, py) {
@@ -151,7 +151,7 @@ export class LocusPlane {
   draw(width, height, closed) {
     const { system, desk, theme, model } = this.bench;
     const { state, what, view: { camera, printed } } = desk;
-    this.view = camera ? seen(camera, width, height) : fitted(this.#worthSeeing(closed), width, height);
+    this.view = camera ? windowOf(camera, width, height) : fitted(this.#worthSeeing(closed), width, height);
     this.locus = rootLocus(system, state, this.view, what);
     const magnify = model.get('magnify');
     this.inset = null;

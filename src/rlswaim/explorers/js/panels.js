@@ -7,7 +7,7 @@ import { poleMap } from './locus.js';
 import { contextOf } from './picture.js';
 import { drawMap } from './planes.js';
 import { responses } from './response.js';
-import { fitted, seen } from './window.js';
+import { fitted, windowOf } from './window.js';
 
 const SAMPLES = 181;
 const INLINE = 2.5; // ms that a map may take in the locus's own frame
@@ -59,7 +59,7 @@ export class MapPanel {
     const { system, desk, theme } = this.bench;
     const height = Math.round(Math.min(0.8 * width, 420));
     const points = Array.from(closed.x, (x, i) => [x, closed.y[i]]).concat(system.poles.map((p) => [p.re, p.im]));
-    this.view = desk.view.camera ? seen(desk.view.camera, width, height) : fitted(points, width, height);
+    this.view = desk.view.camera ? windowOf(desk.view.camera, width, height) : fitted(points, width, height);
     this.sides = poleMap(system, desk.state, closed, this.view, desk.station);
     this.canvas.style.height = `${height}px`;
     drawMap(contextOf(this.canvas, width, height), this.view, theme, closed, closed.branches, this.sides, 'ft');

@@ -49,7 +49,7 @@ export function fitted(points, width, height) {
 // A window as state: center on the real axis, lower border and width, for any size of the picture.
 export const cameraOf = ({ left, right, bottom }) => ({ x: (left + right) / 2, y: bottom, w: right - left });
 
-export function seen({ x, y, w }, width, height) {
+export function windowOf({ x, y, w }, width, height) {
   const frame = frameOf(width, height);
   return windowAt(x - w / 2, y, frame.w / w, frame, width, height);
 }
