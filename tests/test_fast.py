@@ -116,7 +116,7 @@ def test_roots_of_a_polynomial_of_order_38(both):
 
 
 def test_four_integrators_and_a_pair_beside_its_zeros():
-    """Gains up to 5e15 and four roots that leave the origin, found by fuzzing: each root satisfies D + k N."""
+    """Gains up to 5e15, four roots that leave the origin (found by fuzzing): each satisfies D + k N."""
     system = control.tf([1, 1, 9.01, 9.01, 0.09, 0.09], [1, 0, 0.01, 0, 0, 0, 0])
     locus = rl.root_locus(system, sign=-1)
     p, sizes = locus.loop.polynomials(locus.gains)

@@ -58,7 +58,7 @@ def _symmetric(values: NDArray, partner: NDArray) -> NDArray:
 
 
 def polished(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
-    """Return root sets (K, n) with Aberth's roots where the polynomial knows them better.
+    """Return root sets ``values`` (K, n) at ``gains``, from Aberth where the polynomial knows them better.
 
     An eigenvalue's error is about 2^-52 times the norm of the matrix, so a small root beside
     large ones, or at a large gain, is better taken from the polynomial; and every one of a companion matrix.
@@ -70,7 +70,7 @@ def polished(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
 
 
 def inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) -> NDArray:
-    """Return root sets (m, n) at gains inside the span of known rising gains with continuous branches.
+    """Return root sets (m, n) at gains inside the span of ``known`` rising gains with branches ``values``.
 
     Aberth's iteration starts from the neighbors' mean, weighted; where they differ in which
     roots are conjugates of which, or the iteration is not to be trusted, or the work is small,
@@ -137,7 +137,7 @@ def norms(loop: OpenLoop) -> NDArray:
 def joined(loop: OpenLoop, states: NDArray, trusted: bool, sign: int = 1) -> NDArray | None:
     """Return compiled states (K, 6, n) as root sets, those not firm from eigenvalues; None if too many.
 
-    The gains of the states are ``sign`` times the loop's.
+    Nothing is joined that is not ``trusted``.  The states' gains are ``sign`` times the loop's.
     """
     if not trusted:
         return None

@@ -73,7 +73,10 @@ def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray
 def picture(
     loop: OpenLoop, marks: NDArray, axes: Axes, tolerance: float, sign: int
 ) -> tuple[NDArray, NDArray]:
-    """Return gains of one sign, marks among them, and branches true to the curve within the tolerance."""
+    """Return gains of one ``sign``, ``marks`` among them, and branches true to the curve on ``axes``.
+
+    The ``tolerance`` is in pixels, on a picture of 800 by 600.
+    """
     if not loop.numerator.any():  # nothing moves
         gains = np.array([0.0, sign])
         return gains, solve(loop, gains)

@@ -67,13 +67,15 @@ def roots(coefficients: ArrayLike) -> NDArray:
 
 def _roots_elsewhere(p: NDArray) -> NDArray:
     """Return the roots of a polynomial whose constant term is not 0."""
-    module = fast.compiled() if p.size > 2 else None
+    if p.size < 2:
+        return np.zeros(0)
+    module = fast.compiled()
     if module:
         found, trusted = module.roots(np.array(p))
         if trusted:
             return np.sort(found)
     # Eigenvalues find roots of size 1 best.
-    size = np.exp((np.log(np.abs(p[0])) - np.log(np.abs(p[-1]))) / max(p.size - 1, 1))
+    size = np.exp((np.log(np.abs(p[0])) - np.log(np.abs(p[-1]))) / (p.size - 1))
     return _polished(p, size * npp.polyroots(p / p[-1] * size ** np.arange(1.0 - p.size, 1)))
 
 
