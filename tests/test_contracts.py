@@ -36,7 +36,8 @@ def public_functions():
     found = {}
     for name, module in modules().items():
         for thing in vars(module).values():
-            if getattr(thing, "__module__", None) != name or thing.__name__.startswith("_"):
+            own = getattr(thing, "__module__", None) == name and hasattr(thing, "__name__")
+            if not own or thing.__name__.startswith("_"):
                 continue
             if inspect.isfunction(thing):
                 found[f"{name}.{thing.__name__}"] = thing

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 import rlswaim as rl
-from rlswaim.explorers import Explorer, designs, rate_attitude_explorer
+from rlswaim.explorers import Comparison, Explorer, designs, rate_attitude_explorer
 from rlswaim.tables import read_table
 from standin import opened, paired, show, table
 
@@ -216,6 +216,7 @@ class TestView:
         page.evaluate("async () => { const d = drawn(); el.style.width = ''; await d; }")
 
 
-def test_no_name_stands_twice_in_the_joined_module():
-    names = re.findall(r"^(?:export )?(?:const|let|function|class) (\w+)", module(), re.MULTILINE)
+@pytest.mark.parametrize("view", [Explorer, Comparison])
+def test_no_name_stands_twice_in_the_joined_module(view):
+    names = re.findall(r"^(?:export )?(?:const|let|function|class) (\w+)", view._esm, re.MULTILINE)
     assert sorted(names) == sorted(set(names))
