@@ -119,16 +119,16 @@ class BendingMode:
     @overload
     def deflection(self, station: float) -> float: ...
     @overload
-    def deflection(self, station: ArrayLike) -> NDArray: ...
-    def deflection(self, station: ArrayLike) -> NDArray | float:
+    def deflection(self, station: NDArray | Sequence[float]) -> NDArray: ...
+    def deflection(self, station: float | NDArray | Sequence[float]) -> NDArray | float:
         """Return phi at a station or an array of stations (ft); ValueError outside 0..420 ft."""
         return self._along(station, 0)
 
     @overload
     def slope(self, station: float) -> float: ...
     @overload
-    def slope(self, station: ArrayLike) -> NDArray: ...
-    def slope(self, station: ArrayLike) -> NDArray | float:
+    def slope(self, station: NDArray | Sequence[float]) -> NDArray: ...
+    def slope(self, station: float | NDArray | Sequence[float]) -> NDArray | float:
         """Return sigma = -d phi/d l (1/ft) at a station or more; ValueError outside 0..420 ft [Eq. 19]."""
         return -self._along(station, 1)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim import checks
-from rlswaim.polynomials import characteristic_polynomial, derivative, roots, trimmed, values
+from rlswaim.polynomials import characteristic_polynomial, derivative, horner, roots, trimmed, values
 
 System: TypeAlias = control.StateSpace | control.TransferFunction | Sequence[ArrayLike]
 EPS = np.finfo(float).eps
@@ -191,8 +191,10 @@ def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
     q = trimmed(q)
     points = roots(q) if q.any() else np.zeros(0, complex)
     points = points[points.imag >= 0]
+    at, _, terms = horner(D, points)
     with np.errstate(divide="ignore", invalid="ignore"):
-        gains = -values(D, points) / values(N, points)
+        # A multiple open-loop pole is met at the gain 0, not at the rounding of D there.
+        gains = np.where(np.abs(at) <= D.size * EPS * terms, 0.0, -at / values(N, points))
     real = np.isfinite(gains) & (np.abs(gains.imag) <= 1e-7 * np.abs(gains))
     pairs = zip(gains[real].real.tolist(), points[real].tolist(), strict=True)
     return tuple(sorted((BreakAway(k, p) for k, p in pairs), key=lambda b: b.gain))

@@ -50,8 +50,9 @@ def draw_elastic_axis(
     x = np.linspace(0, LENGTH, 421)
 
     def height(at: ArrayLike) -> NDArray:
-        bent = q_1 * booster.modes[0].deflection(at) + q_2 * booster.modes[1].deflection(at)
-        return np.asarray(theta * (booster.l_CG - np.asarray(at)) + bent)
+        place = np.asarray(at, dtype=float)
+        bent = q_1 * booster.modes[0].deflection(place) + q_2 * booster.modes[1].deflection(place)
+        return np.asarray(theta * (booster.l_CG - place) + bent)
 
     G = booster.thrust_station
     slope = float(-theta - q_1 * booster.modes[0].slope(G) - q_2 * booster.modes[1].slope(G))
