@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rlswaim import fast
 from rlswaim.branches import continuous_branches, partners
 from rlswaim.openloop import OpenLoop
-from rlswaim.polynomials import horner
+from rlswaim.polynomials import horner, roots
 
 ANCHOR = 16
 """Of a long run of gains each sixteenth is solved by eigenvalues, and the others from these."""
@@ -63,10 +63,20 @@ def polished(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDArray:
     An eigenvalue's error is about 2^-52 times the norm of the matrix, so a small root beside
     large ones, or at a large gain, is better taken from the polynomial; and every one of a companion matrix.
     """
-    found = _aberth(*loop.polynomials(gains), values.T)
+    polynomials, sizes = loop.polynomials(gains)
+    found = _aberth(polynomials, sizes, values.T)
     fixed, moved = norms(loop)
     better = found.trusted & (found.terms < (fixed + np.abs(gains) * moved) * np.abs(found.slope))
-    return np.where(better.T, _symmetric(found.roots.T, partners(values)), values)
+    best = np.where(better.T, _symmetric(found.roots.T, partners(values)), values)
+    for at in np.flatnonzero(~found.trusted):
+        best[at] = _rescued(polynomials[:, at], sizes[:, at], best[at])
+    return best
+
+
+def _rescued(polynomial: NDArray, sizes: NDArray, values: NDArray) -> NDArray:
+    """Return roots (n,), anew from the scaled polynomial where eigenvalues at a huge gain satisfy nothing."""
+    p, _, terms = horner(polynomial, values, sizes)
+    return values if (np.abs(p) <= 1e-10 * terms).all() else roots(polynomial)
 
 
 def inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) -> NDArray:
@@ -77,7 +87,7 @@ def inserted(loop: OpenLoop, known: NDArray, values: NDArray, gains: NDArray) ->
     eigenvalues serve.
     """
     if gains.size * values.shape[1] < FEW:
-        return loop.eigenvalues(gains)
+        return polished(loop, gains, loop.eigenvalues(gains))
     right = np.clip(np.searchsorted(known, gains), 1, known.size - 1)
     partner = partners(values)
     alike = (partner[right - 1] == partner[right]).all(axis=1)

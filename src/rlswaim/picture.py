@@ -108,7 +108,8 @@ def _refined(
     loop: OpenLoop, first: NDArray, axes: Axes, tolerance: float, sign: int, offset: float
 ) -> tuple[NDArray, NDArray]:
     """Return gains >= 0, the first ones among them, and branches true to the curve within the tolerance."""
-    gains, values = first, continuous_branches(loop.eigenvalues(sign * first))
+    start = polished(loop, sign * first, loop.eigenvalues(sign * first))
+    gains, values = first, continuous_branches(start)
     while gains.size < MOST:
         stray = _deviation(loop, sign * gains, values, axes)
         bad = (
@@ -121,7 +122,7 @@ def _refined(
         gains, values = _merged(
             loop, sign, gains, values, _cut(gains[:-1][bad], gains[1:][bad], pieces, offset)
         )
-    return gains, polished(loop, sign * gains, values)
+    return gains, values
 
 
 def _through_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
