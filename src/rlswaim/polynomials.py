@@ -74,9 +74,12 @@ def _roots_elsewhere(p: NDArray) -> NDArray:
         found, trusted = module.roots(np.array(p))
         if trusted:
             return np.sort(found)
-    # Eigenvalues find roots of size 1 best.
-    size = np.exp((np.log(np.abs(p[0])) - np.log(np.abs(p[-1]))) / (p.size - 1))
-    return _polished(p, size * npp.polyroots(p / p[-1] * size ** np.arange(1.0 - p.size, 1)))
+    # Eigenvalues find roots of size 1 best; by logarithms, since powers of a tiny size overflow.
+    with np.errstate(divide="ignore"):
+        logs = np.log(np.abs(p))
+    log_size = (logs[0] - logs[-1]) / (p.size - 1)
+    logs += log_size * np.arange(p.size)
+    return _polished(p, np.exp(log_size) * npp.polyroots(np.sign(p) * np.exp(logs - logs.max())))
 
 
 def horner(
