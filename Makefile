@@ -31,7 +31,7 @@ test: book ## check everything: numbers, notebooks, contracts, and each built pa
 fuzz: $(INSTALLED) ## throw 2,000 random cases at each kind of loop, vehicle and bad input
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py
 
-bench: $(INSTALLED) ## time root loci beside other tools, and write the page of the book that shows it
+bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
 	@mkdir -p _build
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest benchmarks -o addopts= -p no:cacheprovider \
 	  -q --benchmark-quiet --benchmark-json=_build/benchmarks.json

@@ -39,6 +39,24 @@ Largest real part of Section VII's closed loop at every pair of sensor and jet s
 | pairs | time (s) | per pair (µs) | memory (MB) |
 |---|---:|---:|---:|
 """
+LIVE = """
+## Live views
+
+Each view of the book in Chromium, on the built pages: all its sliders are moved by keys, a press every
+other frame, and the first one is dragged by the mouse. "Key to picture" runs from the key press to the
+finished drawing; the browser starts to draw with its next frame, every 16.7 ms. The usual way,
+`interactive_output` with `control.root_locus_plot` through a real kernel, takes {usual:.0f} ms (median; 95
+percent within {usual_95:.0f} ms) from a slider's message to the picture's, the browser's own work not
+counted; the ratio is that median over ours. The widget runtime has {runtime:.0f} kB gzipped, for the whole
+book.
+
+| view | key to picture (ms) | 95 % | compute and draw (ms) | 95 % | tasks over 50 ms | ratio |
+|---|---:|---:|---:|---:|---:|---:|
+"""
+PAGES = """
+| page | first picture after (ms) | own data and code (kB gzipped) |
+|---|---:|---:|
+"""
 
 
 def median(run):
@@ -62,7 +80,7 @@ def map_row(run):
 
 
 def loci(groups):
-    rows = [locus_row(name, runs) for name, runs in groups.items() if not name.startswith("station map")]
+    rows = [locus_row(n, runs) for n, runs in groups.items() if not n.startswith(("station map", "live"))]
     return LOCI + "\n".join(rows) + "\n"
 
 
@@ -71,7 +89,29 @@ def maps(groups):
     return MAP + "\n".join(rows) + "\n"
 
 
-SECTIONS = [loci, maps]
+def quantile(times, percent):
+    return sorted(times)[min(len(times) * percent // 100, len(times) - 1)]
+
+
+def view_row(view, usual):
+    times = [quantile(view[what], percent) for what in ("drawn", "ms") for percent in (50, 95)]
+    shown = " | ".join(f"{t:.1f}" for t in times)
+    return f"| {view['name']} | {shown} | {view['long_tasks']} | {usual / times[0]:.0f} |"
+
+
+def live(groups):
+    runs = [run["extra_info"] for run in groups["live views"]]
+    usual = next(run["live_usual_ms"] for run in runs if "live_usual_ms" in run)
+    pages = [run["live"] for run in runs if "live" in run]
+    head = LIVE.format(
+        usual=quantile(usual, 50), usual_95=quantile(usual, 95), runtime=pages[0]["runtime_kB"]
+    )
+    views = [view_row(view, quantile(usual, 50)) for page in pages for view in page["views"]]
+    weights = [f"| {p['page']} | {p['first_ms']:.0f} | {p['own_kB']:.0f} |" for p in pages]
+    return head + "\n".join(views) + "\n" + PAGES + "\n".join(weights) + "\n"
+
+
+SECTIONS = [loci, maps, live]
 """What the page shows below its head: each is called with the runs by group and returns Markdown."""
 
 

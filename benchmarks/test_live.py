@@ -20,10 +20,11 @@ from serve import server
 VIEW = "application/vnd.jupyter.widget-view+json"
 PAGES = sorted(p.name for p in (HTML / "book").glob("*.html") if VIEW in p.read_text(encoding="utf-8"))
 WATCH = """() => {
-  const seen = (globalThis.live = { drawn: [], ms: [], long: 0, first: null, pressed: null });
+  const seen = (globalThis.live = { name: null, drawn: [], ms: [], long: 0, first: null, pressed: null });
   addEventListener('keydown', (e) => (seen.pressed = e.timeStamp), true);
   addEventListener('rlswaim:drawn', (e) => {
     seen.first ??= performance.now();
+    if (e.target.dataset.explorer !== seen.name) return;
     seen.ms.push(e.detail.ms);
     if (seen.pressed !== null) seen.drawn.push(performance.now() - seen.pressed);
     seen.pressed = null;
@@ -110,7 +111,9 @@ def test_live_views(benchmark, browser, site, page_name):
                 .locator("xpath=ancestor::*[contains(@class, 'live-view')]")
                 .get_by_role("slider")
             )
-            page.evaluate("() => Object.assign(live, { drawn: [], ms: [], long: 0 })")
+            if not handles.count():
+                continue
+            page.evaluate("(name) => Object.assign(live, { name, drawn: [], ms: [], long: 0 })", name)
             for i in range(handles.count()):
                 moved(page, handles.nth(i), 200 // handles.count())
             keys = page.evaluate("() => ({ drawn: live.drawn, ms: live.ms })")
