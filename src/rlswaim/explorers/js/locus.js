@@ -61,12 +61,45 @@ export function openLoop(system, state, what = lastLoop(system)) {
   const factors = factorsOf(system, withoutGains(state, off));
   const zeros = of === 'zeros';
   if (zeros) factors[gain] = 1;
-  const table = collapse(zeros ? system.terms.filter((t) => t.factors.includes(gain)) : system.terms, factors, [running]);
-  const part = (size) => table.find((t) => t.factors.length === size)?.coefficients ?? new Float64Array(table[0].coefficients.length);
-  const [D, N] = [part(0), part(1)];
-  let n = D.length;
+  factors[running] = 1;
+  const size = longest(system.terms);
+  const [D, N] = [new Float64Array(size), new Float64Array(size)];
+  for (const term of system.terms) {
+    if (zeros && !term.factors.includes(gain)) continue;
+    let weight = 1;
+    for (const f of term.factors) weight *= factors[f];
+    const sum = term.factors.includes(running) ? N : D;
+    for (let k = 0; k < term.coefficients.length; k++) sum[k] += weight * term.coefficients[k];
+  }
+  let n = size;
   while (n > 1 && D[n - 1] === 0 && N[n - 1] === 0) n--;
   return { D: D.subarray(0, n), N: N.subarray(0, n) };
+}
+
+// Values that depend on a few places of the sliders alone, kept while other sliders move: the last ones of each system.
+const KEPT = 24;
+const memory = new WeakMap();
+
+function once(system, key, make) {
+  if (!memory.has(system)) memory.set(system, new Map());
+  const values = memory.get(system);
+  const value = values.get(key) ?? make();
+  values.delete(key);
+  values.set(key, value);
+  if (values.size > KEPT) values.delete(values.keys().next().value);
+  return value;
+}
+
+const placesOf = (system, state) => system.parameters.map(({ name }) => state[name]).join();
+
+// The open loop with what its own polynomials tell: it stays while its gain runs.
+function loopOf(system, state, what) {
+  const { running, off = [], of = 'poles', gain } = what;
+  const still = withoutGains(state, [...off, running, gain ?? running]);
+  return once(system, `loop ${running} ${of} ${placesOf(system, still)}`, () => {
+    const loop = openLoop(system, state, what);
+    return { ...loop, breaks: breakAways(loop), crossings: crossings(loop), zeros: roots(loop.N) };
+  });
 }
 
 // The open-loop poles, each with the branch that leaves from it: the vehicle's from Python, the actuators' are factors.
@@ -119,9 +152,8 @@ export function crossings({ D, N }) {
 
 // Plain loops from here on: they run thousands of times in a frame.
 function permuted({ t, x, y }, partner) {
-  const n = x.length;
-  const moved = { t, x: x.slice(), y: y.slice(), clear: false };
-  for (let i = 0; i < n; i++) {
+  const moved = { t, x: x.slice(), y: y.slice() };
+  for (let i = 0; i < x.length; i++) {
     moved.x[i] = x[partner[i]];
     moved.y[i] = y[partner[i]];
   }
@@ -131,25 +163,51 @@ function permuted({ t, x, y }, partner) {
 const real = ({ x, y }, i) => Math.abs(y[i]) <= 1e-6 * Math.abs(x[i]);
 
 const flat = (x, y, i) => Math.abs(y[i]) <= 1e-10 * Math.abs(x[i]);
-const twin = (x, y, i, j) => y[i] * y[j] < 0 && Math.hypot(x[i] - x[j], y[i] + y[j]) < 1e-6 * Math.abs(y[i]);
+const twin = (x, y, i, j) => y[i] * y[j] < 0 && Math.abs(y[i] + y[j]) < 1e-6 * Math.abs(y[i]) && Math.hypot(x[i] - x[j], y[i] + y[j]) < 1e-6 * Math.abs(y[i]);
 
 // A root that moves by less than a third of the distance to the next one is not taken for it.
 const NEAR = 0.1;
 const DEEPEST = 28;
 
-// Follows all roots as t runs over the nodes, halving each step until the drawn polyline is within `tolerance` pixels
-// of the curve and no root moves so far that it could be taken for another.
-// curve: { fill(t, c), middle(a, b), breaks }; start: { x, y } at the first node, in the order of the branches.
-// view: { left, right, top, scale (pixels per 1/s), tolerance }, or BLIND where only the names matter. Returns points
-// { t, x, y }. Traced back, a curve has the same branches as on its way forth.
-export function trace(curve, nodes, start, view) {
-  const n = start.x.length;
+// A point of a trace: the roots, and for each root the square of the distance to the next one, infinite where two coincide.
+function pointOf(t, x, y) {
+  const n = x.length;
+  const gap = x.slice(); // arrays made by slice are several times cheaper here than new Float64Arrays
+  gap.fill(Infinity);
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j < i; j++) {
+      const dx = x[i] - x[j];
+      const dy = y[i] - y[j];
+      const d = dx * dx + dy * dy;
+      if (d < gap[i]) gap[i] = d;
+      if (d < gap[j]) gap[j] = d;
+    }
+  }
+  let apart = true;
+  for (let i = 0; i < n; i++) {
+    if (gap[i] > 1e-10 * (x[i] * x[i] + y[i] * y[i])) continue;
+    gap[i] = Infinity;
+    apart = false;
+  }
+  // kx, ky: as x, y, but of roots that coincide where each came from; turns: how often the order has changed.
+  return { t, x, y, gap, apart, kx: x, ky: y, clear: false, far: false, turns: 0, before: null, seen: 0 };
+}
+
+// Follows all roots along a curve { fill(t, c), middle(a, b), breaks } from one value of t to another, halving each step
+// until the drawn polyline is within `tolerance` pixels of the curve and no root moves so far that it could be taken for
+// another. view: { left, right, top, scale (pixels per 1/s), tolerance }, or BLIND where only the names matter.
+function tracer(curve, n, view) {
   const c = new Float64Array(n + 1);
   const partner = new Int32Array(n);
+  const spare = new Float64Array(n);
+  const { left, right, top, scale, tolerance } = view;
+  const worst = (tolerance / scale) ** 2;
+  const long = (8 / scale) ** 2;
+  let points;
 
   // Aberth keeps real points real, so they start a little off the axis to be able to leave it.
-  function solve(t, a, b) {
-    const x = a.x.slice(); // arrays made by slice are several times cheaper here than new Float64Arrays
+  function solve(t, a, b, atBreak) {
+    const x = a.x.slice();
     const y = a.y.slice();
     for (let i = 0; i < n; i++) {
       x[i] = (a.x[i] + b.x[i]) / 2;
@@ -159,32 +217,50 @@ export function trace(curve, nodes, start, view) {
     refine(c, n, x, y, 1e-3);
     settle(x, y);
     anchor(c, x, y);
-    return { t, x, y };
+    if (atBreak) meet(t, x, y);
+    return pointOf(t, x, y);
   }
 
   // At a break-away the roots that meet there are known better than they can be found.
-  function meet(point) {
+  function meet(t, px, py) {
     for (const { gain, x, y } of curve.breaks ?? []) {
-      if (gain !== point.t) continue;
+      if (gain !== t) continue;
       for (const at of y === 0 ? [0] : [y, -y]) {
-        const off = point.x.map((v, i) => Math.hypot(v - x, point.y[i] - at));
+        const off = px.map((v, i) => Math.hypot(v - x, py[i] - at));
         for (let k = 0; k < 2; k++) {
           const i = off.indexOf(Math.min(...off));
-          [point.x[i], point.y[i], off[i]] = [x, at, Infinity];
+          [px[i], py[i], off[i]] = [x, at, Infinity];
         }
       }
     }
-    return point;
+  }
+
+  function turn(values) {
+    for (let i = 0; i < n; i++) spare[i] = values[i];
+    for (let i = 0; i < n; i++) values[i] = spare[partner[i]];
   }
 
   // Puts a point's roots in the order of the point before. Two that coincide can't tell which is which: the next
-  // point then asks where they came from (kx, ky).
+  // point then asks where they came from.
   function order(before, point) {
-    point.clear = clear(before, point);
-    if (point.clear) return keep(point, before);
-    pairing(before.kx, before.ky, point.x, point.y, partner);
-    meeting(before, point);
-    return keep(permuted(point, partner), before);
+    if (point.before === before && point.seen === before.turns) return;
+    [point.before, point.seen] = [before, before.turns];
+    compare(before, point);
+    if (!point.clear) {
+      pairing(before.kx, before.ky, point.x, point.y, partner);
+      meeting(before, point);
+      let moved = false;
+      for (let i = 0; i < n; i++) moved ||= partner[i] !== i;
+      if (moved) {
+        turn(point.x);
+        turn(point.y);
+        turn(point.gap);
+        point.turns++;
+        compare(before, point);
+        point.clear = false;
+      }
+    }
+    if (!point.apart) keep(point, before);
   }
 
   // Where two branches meet on the real axis both pairings are equally near. The right one of two real roots is the upper one
@@ -193,8 +269,8 @@ export function trace(curve, nodes, start, view) {
     for (let i = 0; i < n; i++) {
       for (let j = i + 1; j < n; j++) {
         const [p, q] = [partner[i], partner[j]];
-        const forms = twin(x, y, p, q) && flat(kx, ky, i) && flat(kx, ky, j);
-        const parts = twin(kx, ky, i, j) && flat(x, y, p) && flat(x, y, q);
+        const forms = flat(kx, ky, i) && flat(kx, ky, j) && twin(x, y, p, q);
+        const parts = flat(x, y, p) && flat(x, y, q) && twin(kx, ky, i, j);
         if ((forms && kx[i] > kx[j] !== y[p] > y[q]) || (parts && ky[i] > ky[j] !== x[p] > x[q])) {
           [partner[i], partner[j]] = [q, p];
         }
@@ -202,51 +278,36 @@ export function trace(curve, nodes, start, view) {
     }
   }
 
-  // Each root moves little beside the distance to the next one: no other pairing can be nearer.
-  function clear(before, { x, y }) {
+  // Clear: each root moves little beside the distance to the next one, and no other pairing can be nearer. Far: one doesn't.
+  function compare(before, point) {
+    const { x, y } = point;
+    point.far = false;
+    point.clear = before.apart;
     for (let i = 0; i < n; i++) {
       const dx = x[i] - before.x[i];
       const dy = y[i] - before.y[i];
-      if (before.gap[i] === Infinity || dx * dx + dy * dy > NEAR * before.gap[i]) return false;
+      if (dx * dx + dy * dy <= NEAR * before.gap[i]) continue;
+      point.far = true;
+      point.clear = false;
+      return;
     }
-    return true;
   }
 
   function keep(point, before) {
-    const { x, y } = point;
-    const gap = (point.gap = x.slice());
-    [point.kx, point.ky] = [x, y];
-    for (let i = 0; i < n; i++) {
-      let least = Infinity;
-      for (let j = 0; j < n; j++) {
-        const dx = x[i] - x[j];
-        const dy = y[i] - y[j];
-        const d = dx * dx + dy * dy;
-        if (d < least && j !== i) least = d;
-      }
-      gap[i] = least;
-      if (least <= 1e-10 * (x[i] * x[i] + y[i] * y[i])) {
-        gap[i] = Infinity;
-        if (!before) continue;
-        if (point.kx === x) [point.kx, point.ky] = [x.slice(), y.slice()];
-        [point.kx[i], point.ky[i]] = [before.kx[i], before.ky[i]];
-      }
-    }
-    return point;
+    const { x, y, gap } = point;
+    [point.kx, point.ky] = [x.slice(), y.slice()];
+    for (let i = 0; i < n; i++) if (gap[i] === Infinity) [point.kx[i], point.ky[i]] = [before.kx[i], before.ky[i]];
   }
 
   function rough(a, m, b, depth) {
-    const { left, right, top, scale, tolerance } = view;
-    const worst = (tolerance / scale) ** 2;
-    const long = (8 / scale) ** 2;
+    if (depth < 16 && (m.far || b.far)) return true;
     for (let i = 0; i < n; i++) {
       const bx = b.x[i] - a.x[i];
       const by = b.y[i] - a.y[i];
       const move = bx * bx + by * by;
       // Between two nodes no root leaves the real axis or comes to it, other than at the nodes themselves.
-      const meets = a.gap[i] === Infinity || b.gap[i] === Infinity;
-      if (depth < 16 && (move > NEAR * a.gap[i] || (!meets && real(a, i) !== real(b, i)))) return true;
-      if (!meets && real(a, i) !== real(b, i) && move > worst) return true; // a corner lies between them
+      const corner = a.gap[i] !== Infinity && b.gap[i] !== Infinity && real(a, i) !== real(b, i);
+      if (corner && (depth < 16 || move > worst)) return true;
       if (Math.max(a.x[i], m.x[i], b.x[i]) < left || Math.min(a.x[i], m.x[i], b.x[i]) > right) continue;
       if (Math.min(Math.abs(a.y[i]), Math.abs(m.y[i]), Math.abs(b.y[i])) > top) continue;
       const mx = m.x[i] - a.x[i];
@@ -261,37 +322,62 @@ export function trace(curve, nodes, start, view) {
     return false;
   }
 
-  const points = [keep({ t: nodes[0], x: [...start.x], y: [...start.y] })];
-
   // Nothing that is seen moves: each root less than the tolerance, or farther off the window than it moves.
   function still(a, b) {
-    const { left, right, top, scale, tolerance } = view;
     for (let i = 0; i < n; i++) {
-      const move = Math.hypot(b.x[i] - a.x[i], b.y[i] - a.y[i]);
-      const [lower, upper] = [Math.min(a.x[i], b.x[i]), Math.max(a.x[i], b.x[i])];
-      const off = Math.max(left - upper, lower - right, Math.min(Math.abs(a.y[i]), Math.abs(b.y[i])) - top);
-      if (move * scale > tolerance && move > off) return false;
+      const dx = b.x[i] - a.x[i];
+      const dy = b.y[i] - a.y[i];
+      const move = Math.sqrt(dx * dx + dy * dy);
+      if (move * scale <= tolerance) continue;
+      const off = Math.max(left - Math.max(a.x[i], b.x[i]), Math.min(a.x[i], b.x[i]) - right, Math.min(Math.abs(a.y[i]), Math.abs(b.y[i])) - top);
+      if (move > off) return false;
     }
     return true;
   }
 
   function segment(a, b, depth) {
-    b = order(a, b); // a may have changed its order since
+    order(a, b); // a may have changed its order since
     if (b.clear && still(a, b)) {
       points.push(b);
-      return b;
+      return;
     }
-    const m = order(a, solve(curve.middle(a.t, b.t), a, b));
-    b = order(m, b);
-    if (depth < DEEPEST && rough(a, m, b, depth)) return segment(segment(a, m, depth + 1), b, depth + 1);
-    points.push(m, b);
-    return b;
+    const m = solve(curve.middle(a.t, b.t), a, b, false);
+    order(a, m);
+    order(m, b);
+    if (depth < DEEPEST && rough(a, m, b, depth)) {
+      segment(a, m, depth + 1);
+      segment(m, b, depth + 1);
+    } else points.push(m, b);
   }
 
-  let last = points[0];
-  for (const t of nodes.slice(1)) last = segment(last, meet(solve(t, last, last)), 0);
+  // The points from a to the value t, the last one there.
+  return (a, t) => {
+    points = [];
+    segment(a, solve(t, a, a, true), 0);
+    return points;
+  };
+}
+
+// Traces t over the nodes, a stretch at each step; at last returns the points { t, x, y }, whose branches are in the order
+// of start: { x, y } at the first node. Traced back, a curve has the same branches as on its way forth.
+export function* tracing(curve, nodes, start, view) {
+  const to = tracer(curve, start.x.length, view);
+  const points = [pointOf(nodes[0], [...start.x], [...start.y])];
+  for (const t of nodes.slice(1)) {
+    for (const point of to(points.at(-1), t)) points.push(point);
+    yield;
+  }
   return points;
 }
+
+// Runs to the end what goes step by step.
+export function finished(steps) {
+  let step = steps.next();
+  while (!step.done) step = steps.next();
+  return step.value;
+}
+
+export const trace = (curve, nodes, start, view) => finished(tracing(curve, nodes, start, view));
 
 const BLIND = { left: Infinity, right: -Infinity, top: -Infinity, scale: 1, tolerance: Infinity };
 
@@ -325,40 +411,45 @@ const gainCurve = ({ D, N }, sign, breaks) => ({
   middle: (a, b) => (a === 0 || b === 0 ? (a + b) / 2 : sign * Math.sqrt(a * b)),
 });
 
-// Gains from 0 to the last at which a trace stops in any case, in rising size.
-function gainNodes(magnitudes, last, breaks) {
-  const [first, most] = magnitudes;
+// Gains at which a trace stops in any case, in rising size: from 0 by thirds of a decade, and where branches meet.
+function gainNodes([first, most], breaks) {
   const steps = Math.round(3 * Math.log10(most / first));
   const regular = Array.from({ length: steps + 1 }, (_, i) => first * (most / first) ** (i / steps));
-  const inside = [...regular, ...breaks].filter((size) => size < last);
-  return [...new Set([0, ...inside, last])].sort((a, b) => a - b);
+  return [...new Set([0, ...regular, ...breaks])].sort((a, b) => a - b);
 }
 
-const remembered = new WeakMap();
+// The roots as one gain rises from 0, of one sign: traced as far as asked, and kept.
+function pathOf(system, state, running, sign, start) {
+  return once(system, `path ${running} ${sign} ${placesOf(system, { ...state, [running]: 0 })}`, () => {
+    const loop = loopOf(system, state, { running });
+    const breaks = loop.breaks.filter((b) => b.gain * sign > 0);
+    const nodes = gainNodes(system.running[running].magnitudes, breaks.map((b) => b.gain * sign));
+    const curve = gainCurve(loop, sign, breaks);
+    const to = tracer(curve, start.x.length, BLIND);
+    const points = [pointOf(0, [...start.x], [...start.y])];
+    return (gain) => {
+      const before = nodes.filter((size) => size < Math.abs(gain));
+      while (points.length < before.length) points.push(to(points.at(-1), sign * nodes[points.length]).at(-1));
+      return pointBeside(curve, gain, to(points[before.length - 1], gain).at(-1));
+    };
+  });
+}
 
 // The closed-loop poles { x, y, branches }, each with the name of the open-loop pole that it grows out of as the loops are
 // closed one after the other, in the report's order.
 export function closedLoop(system, state) {
-  const key = system.parameters.map(({ name }) => state[name]).join();
-  const last = remembered.get(system);
-  if (last?.key === key) return last.poles;
-  const poles = namedPoles(system, state);
-  let now = withoutGains(state, system.closing);
-  for (const running of system.closing) {
-    const gain = state[running];
-    if (gain === 0) continue;
-    const sign = Math.sign(gain);
-    const loop = openLoop(system, now, { running });
-    now = { ...now, [running]: gain };
-    const breaks = breakAways(loop).filter((b) => b.gain * sign > 0);
-    const sizes = gainNodes(system.running[running].magnitudes, Math.abs(gain), breaks.map((b) => b.gain * sign));
-    const nodes = sizes.map((size) => size * sign);
-    const curve = gainCurve(loop, sign, breaks);
-    const end = pointBeside(curve, gain, trace(curve, nodes, poles, BLIND).at(-1));
-    [poles.x, poles.y] = [end.x, end.y];
-  }
-  remembered.set(system, { key, poles });
-  return poles;
+  return once(system, `poles ${placesOf(system, state)}`, () => {
+    const poles = namedPoles(system, state);
+    let now = withoutGains(state, system.closing);
+    for (const running of system.closing) {
+      const gain = state[running];
+      if (gain === 0) continue;
+      const end = pathOf(system, now, running, Math.sign(gain), poles)(gain);
+      [poles.x, poles.y] = [end.x, end.y];
+      now = { ...now, [running]: gain };
+    }
+    return poles;
+  });
 }
 
 // The parameter that runs as a curve of roots, its nodes on both sides of the present value, and what marks it.
@@ -371,10 +462,11 @@ function runningGain(system, state, what) {
   const sign = t < 0 ? -1 : 1;
   const { magnitudes } = system.running[what.running];
   const last = Math.max(magnitudes[1], Math.abs(t));
-  const loop = openLoop(system, state, what);
+  const loop = loopOf(system, state, what);
   const within = ({ gain: k }) => k * sign > 0 && k * sign < last;
-  const breaks = breakAways(loop).filter(within);
-  const nodes = gainNodes(magnitudes, last, breaks.map((b) => b.gain * sign));
+  const breaks = loop.breaks.filter(within);
+  const inside = gainNodes(magnitudes, breaks.map((b) => b.gain * sign)).filter((size) => size < last);
+  const nodes = [...inside, last];
   const before = nodes.filter((size) => size < t * sign).map((size) => size * sign);
   return {
     kind: 'gain',
@@ -383,9 +475,9 @@ function runningGain(system, state, what) {
     end: sign * last,
     back: [t, ...before.reverse()],
     forth: [t, ...nodes.filter((size) => size > t * sign).map((size) => size * sign)],
-    zeros: roots(loop.N),
+    zeros: loop.zeros,
     breaks,
-    crossings: () => crossings(loop).filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
+    crossings: () => loop.crossings.filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
   };
 }
 
@@ -467,10 +559,9 @@ function crossingOf(curve, a, b, i) {
   return m;
 }
 
-const traced = (running, start, view) => [
-  trace(running.curve, running.back, start, view),
-  trace(running.curve, running.forth, start, view),
-];
+function* tracedBothWays({ curve, back, forth }, start, view) {
+  return [yield* tracing(curve, back, start, view), yield* tracing(curve, forth, start, view)];
+}
 
 // The locus of any parameter: { running, off, of, gain }. A gain runs from 0 to the end of its range, on the side of its
 // sign; a station from the nose to the tail. Each branch has the name of the present pole on it.
@@ -478,7 +569,7 @@ export function rootLocus(system, state, view, what = lastLoop(system)) {
   const running = runningCurve(system, state, what);
   const { kind, curve, from, end, zeros, breaks } = running;
   const start = presentRoots(system, state, what, curve);
-  const [back, forth] = traced(running, start, view);
+  const [back, forth] = finished(tracedBothWays(running, start, view));
   const branches = [...back.slice(1).reverse(), ...forth];
   const { x, y } = branches[0];
   return {
@@ -496,21 +587,23 @@ export function rootLocus(system, state, view, what = lastLoop(system)) {
 }
 
 // The roots at the present value: the named poles, or the zeros, which have no names of their own.
-function presentRoots(system, state, { running, off, of, gain }, curve) {
+function presentRoots(system, state, what, curve) {
+  const { running, off, of } = what;
   if (of !== 'zeros') return closedLoop(system, withoutGains(state, off));
-  const { D, N } = openLoop(system, state, { running, off, of, gain });
-  const c = new Float64Array(D.length);
+  const c = new Float64Array(loopOf(system, state, what).D.length);
   curve.fill(state[running], c);
   const { x, y } = roots(c);
   return { x, y, branches: x.map(() => 'zero') };
 }
 
-// The closed-loop poles at the present gains as a station runs over its range: from the present one both ways, so that a
-// branch is the one that the locus calls so. Empty where the feedback makes no use of it.
-export function poleMap(system, state, present, view, station = system.maps[0]) {
+// The closed-loop poles at the present gains as a station runs over its range, step by step: from the present one both ways,
+// so that a branch is the one that the locus calls so. Empty at last where the feedback makes no use of it.
+export function* poleMapping(system, state, present, view, station = system.maps[0]) {
   const running = runningStation(system, state, station);
-  return running.idle ? [] : traced(running, present, view);
+  return running.idle ? [] : yield* tracedBothWays(running, present, view);
 }
+
+export const poleMap = (...given) => finished(poleMapping(...given));
 
 // The value of the running parameter at which a branch of a locus comes nearest to a point: the nearest place on the drawn
 // line first, then golden section on the curve itself.
@@ -549,10 +642,10 @@ const decibels = (factor) => 20 * Math.log10(factor);
 // it up. null where nothing is fed back.
 export function margins(system, state, what = lastLoop(system)) {
   if (!system.running[what.running].magnitudes || what.of === 'zeros') return null;
-  const { D, N } = openLoop(system, state, what);
+  const { D, N, crossings: crossed } = loopOf(system, state, what);
   const k = state[what.running];
   if (k === 0 || N.every((v) => v === 0)) return null;
-  const gain = crossings({ D, N })
+  const gain = crossed
     .map((c) => ({ factor: c.gain / k, dB: decibels(c.gain / k), omega: c.omega }))
     .filter(({ factor }) => factor > 0);
   const square = (c) => {

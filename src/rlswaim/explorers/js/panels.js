@@ -3,15 +3,16 @@ import { drawResponses, heightOf, responseWords } from './charts.js';
 import { DURATIONS, GUSTS } from './desk.js';
 import { element, number, panel, select, set } from './dom.js';
 import { nearestOn } from './interact.js';
-import { poleMap } from './locus.js';
+import { poleMapping } from './locus.js';
 import { contextOf } from './picture.js';
 import { drawMap } from './planes.js';
 import { responses } from './response.js';
 import { fitted, windowOf } from './window.js';
 
 const SAMPLES = 181;
-const INLINE = 2.5; // ms that a map may take in the locus's own frame
-const REST = 80; // ms
+const INLINE = 0.8; // ms that a map may take in the locus's own frame
+const SLICE = 3; // ms at a time for one that takes longer
+const REST = 60; // ms until it begins
 
 // The closed-loop poles as a station runs along the vehicle; a click picks the station.
 export class MapPanel {
@@ -23,6 +24,8 @@ export class MapPanel {
     this.panel = panel('map', 'Pole map', () => bench.schedule(), element('div', { class: 'controls' }, this.list.node), this.canvas);
     if (system.maps.length < 2) this.list.node.parentNode.hidden = true;
     this.node = this.panel.node;
+    this.sides = [];
+    this.cost = Infinity;
     this.canvas.addEventListener('click', (event) => this.#pick(event));
   }
 
@@ -35,33 +38,53 @@ export class MapPanel {
     }
   }
 
-  // A map that takes its time waits until the hand rests, so that it never holds up the locus.
+  // A map that takes its time waits until the hand rests, and is then traced in slices between the frames: it never holds
+  // up the locus. Until it is there, the last one stands dimmed.
   draw(width) {
     clearTimeout(this.timer);
-    const slow = this.cost > INLINE;
-    this.canvas.classList.toggle('stale', slow);
-    if (slow) this.timer = setTimeout(() => this.#trace(width), REST);
-    else this.#trace(width);
+    const work = this.#begin(width);
+    const quick = this.cost < INLINE && this.#slice(work, INLINE);
+    if (!quick) this.timer = setTimeout(() => this.#continue(work), REST);
+    this.canvas.classList.toggle('stale', !work.done);
   }
 
-  #trace(width) {
+  #begin(width) {
+    const { system, desk, closed } = this.bench;
+    const height = Math.round(Math.min(0.8 * width, 420));
+    const points = Array.from(closed.x, (x, i) => [x, closed.y[i]]).concat(system.poles.map((p) => [p.re, p.im]));
+    const view = desk.view.camera ? windowOf(desk.view.camera, width, height) : fitted(points, width, height);
+    return { closed, view, steps: poleMapping(system, desk.state, closed, view, desk.station), cost: 0, done: false };
+  }
+
+  #continue(work) {
+    if (!this.#slice(work, SLICE)) this.timer = setTimeout(() => this.#continue(work));
+    this.canvas.classList.toggle('stale', !work.done);
+  }
+
+  // Traces on for some time; draws when all is there.
+  #slice(work, time) {
     const start = performance.now();
-    this.#picture(width, this.bench.closed);
-    this.cost = performance.now() - start;
-    this.canvas.classList.remove('stale');
+    let spent = 0;
+    while (!work.done && spent < time) {
+      const { done, value } = work.steps.next();
+      spent = performance.now() - start;
+      if (done) this.#picture(work, value);
+      work.done = done;
+    }
+    work.cost += spent;
+    this.cost = work.done ? work.cost : Infinity; // of one that was given up nobody knows
+    return work.done;
   }
 
   stop() {
     clearTimeout(this.timer);
   }
 
-  #picture(width, closed) {
+  #picture({ closed, view }, sides) {
     const { system, desk, theme } = this.bench;
-    const height = Math.round(Math.min(0.8 * width, 420));
-    const points = Array.from(closed.x, (x, i) => [x, closed.y[i]]).concat(system.poles.map((p) => [p.re, p.im]));
-    this.view = desk.view.camera ? windowOf(desk.view.camera, width, height) : fitted(points, width, height);
-    this.sides = poleMap(system, desk.state, closed, this.view, desk.station);
-    this.canvas.style.height = `${height}px`;
+    const { width, height } = view;
+    [this.view, this.sides] = [view, sides];
+    if (this.height !== height) this.canvas.style.height = `${(this.height = height)}px`;
     drawMap(contextOf(this.canvas, width, height), this.view, theme, closed, closed.branches, this.sides, 'ft');
     const [from, to] = system.running[desk.station].ends;
     const still = `${number(desk.state[desk.station])} ft`;

@@ -137,39 +137,43 @@ export function settle(x, y) {
   for (let i = 0; i < x.length; i++) if (Math.abs(y[i]) <= 1e-13 * Math.abs(x[i])) y[i] = 0;
 }
 
-// For each point of a its partner in b, by least total squared distance.
-export function pairing(ax, ay, bx, by, partner) {
-  const n = ax.length;
-  let taken = 0;
-  for (let i = 0; i < n; i++) {
-    let best = Infinity;
-    for (let j = 0; j < n; j++) {
-      const ex = ax[i] - bx[j];
-      const ey = ay[i] - by[j];
-      const d = ex * ex + ey * ey;
-      if (d < best) {
-        best = d;
-        partner[i] = j;
-      }
-    }
-    taken |= 1 << partner[i];
-  }
-  if (taken !== 2 ** n - 1) assign(ax, ay, bx, by, partner); // two points share the nearest one
-  return partner;
-}
-
-// Room for the assignment, made once: it is called thousands of times in a frame.
+// Room for the pairing, made once: it is called hundreds of times in a frame.
 const MOST = 24;
+const cost = new Float64Array(MOST * MOST);
 const [us, vs, least] = [new Float64Array(MOST), new Float64Array(MOST), new Float64Array(MOST)];
 const [rowOf, way, seen] = [new Int32Array(MOST), new Int32Array(MOST), new Int32Array(MOST)];
 
-// The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form).
-function assign(ax, ay, bx, by, partner) {
+// For each point of a its partner in b, by least total squared distance.
+export function pairing(ax, ay, bx, by, partner) {
   const n = ax.length;
-  us.fill(0);
-  vs.fill(0);
   rowOf.fill(-1); // of each column; column n stands for "not yet"
+  let taken = 0;
   for (let i = 0; i < n; i++) {
+    us[i] = Infinity;
+    for (let j = 0; j < n; j++) {
+      const ex = ax[i] - bx[j];
+      const ey = ay[i] - by[j];
+      const d = (cost[i * MOST + j] = ex * ex + ey * ey);
+      if (d < us[i]) {
+        us[i] = d;
+        partner[i] = j;
+      }
+    }
+    if (rowOf[partner[i]] < 0) {
+      rowOf[partner[i]] = i;
+      taken++;
+    } else partner[i] = -1; // two points share the nearest one
+  }
+  if (taken < n) assign(n, partner);
+  return partner;
+}
+
+// The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form) for the points that
+// are left: those that have the nearest one to themselves keep it at first.
+function assign(n, partner) {
+  vs.fill(0);
+  for (let i = 0; i < n; i++) {
+    if (partner[i] >= 0) continue;
     least.fill(Infinity);
     seen.fill(0);
     let column = n;
@@ -181,9 +185,7 @@ function assign(ax, ay, bx, by, partner) {
       let next = n;
       for (let j = 0; j < n; j++) {
         if (seen[j]) continue;
-        const ex = ax[at] - bx[j];
-        const ey = ay[at] - by[j];
-        const slack = ex * ex + ey * ey - us[at] - vs[j];
+        const slack = cost[at * MOST + j] - us[at] - vs[j];
         if (slack < least[j]) {
           least[j] = slack;
           way[j] = column;

@@ -203,7 +203,7 @@ export class Workbench {
     const { word, short, long } = this.verdict;
     set(this.live, short);
     this.plane.later(`${word}${long}`);
-    if (this.map.sides) this.map.later(short);
+    this.map.later(short);
     this.responses.later();
     this.mode.later();
     set(this.code, pythonOf(this.system, this.desk.state));
