@@ -71,7 +71,20 @@ def maps(groups):
     return MAP + "\n".join(rows) + "\n"
 
 
-SECTIONS = [loci, maps]
+END = """
+## What follows from this
+
+- A locus that is true to a quarter pixel costs milliseconds, so a picture can follow a slider.
+- A map of every pair of stations costs seconds and little memory: the whole vehicle instead of 24 pairs.
+- What the ratios rest on, and how the gains are chosen, stands in [chapter X](10-loci-and-maps).
+"""
+
+
+def end(groups):
+    return END
+
+
+SECTIONS = [loci, maps, end]
 """What the page shows below its head: each is called with the runs by group and returns Markdown."""
 
 
