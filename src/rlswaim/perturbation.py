@@ -54,7 +54,7 @@ class PerturbationEquations:
         "response to a force and a moment of the reaction jet",
         "Eq. 125",
     )
-    l_CG: float = quantity("l_CG", "ft", "station of the centre of gravity", "Section II")
+    l_CG: float = quantity("l_CG", "ft", "station of the center of gravity", "Section II")
     modes: tuple[BendingMode, ...]
     source: str
 

@@ -47,7 +47,7 @@ class Surface:
     """
 
     name: str
-    station: float = quantity("l", "ft", "station of the centre of pressure", "recovered, Eq. 38")
+    station: float = quantity("l", "ft", "station of the center of pressure", "recovered, Eq. 38")
     C_Nalpha: float = quantity(
         "C_N_alpha", "1/rad", "slope of the normal force coefficient, on the planform area S", "Section II"
     )
@@ -77,11 +77,11 @@ class Booster:
     masses: NDArray = quantity("m", "slug", "concentrated masses", "Table 1")
     M: float = quantity("M", "slug", "total mass", "Table 1")
     I_y: float = quantity(
-        "I_y", "slug ft^2", "pitch moment of inertia about the centre of gravity", "Table 1"
+        "I_y", "slug ft^2", "pitch moment of inertia about the center of gravity", "Table 1"
     )
-    l_CG: float = quantity("l_CG", "ft", "station of the centre of gravity", "Section II")
+    l_CG: float = quantity("l_CG", "ft", "station of the center of gravity", "Section II")
     l_G: float = quantity(
-        "l_G", "ft", "distance from the centre of gravity aft to the thrust point G", "recovered"
+        "l_G", "ft", "distance from the center of gravity aft to the thrust point G", "recovered"
     )
     S: float = quantity("S", "ft^2", "planform area, reference of all coefficients", "Section II")
     T: float = quantity("T", "lb", "thrust", "Section II")
@@ -117,7 +117,7 @@ class Booster:
 
     @property
     def arms(self) -> NDArray:
-        """l_CG - l of each mass (ft), positive ahead of the centre of gravity [Table 1]."""
+        """l_CG - l of each mass (ft), positive ahead of the center of gravity [Table 1]."""
         return self.l_CG - self.stations
 
     def recomputed(self) -> Self:
