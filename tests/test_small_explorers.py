@@ -16,7 +16,8 @@ from scipy.optimize import linear_sum_assignment
 import rlswaim as rl
 from rlswaim import explorers, stations, trajectory
 from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
-from rlswaim.explorers.live import LiveView, module
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.scripts import module
 from rlswaim.polynomials import characteristic_polynomial
 
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
@@ -419,7 +420,7 @@ class TestStationMap:
                      return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
                        .filter(r => r.values).map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
-                [module("roots", "abscissa"), view.payload, gains],
+                [module("abscissa"), view.payload, gains],
             )
         for at, rows in zip(gains, found, strict=True):
             family = stations.DualActuationFamily.of(PRINTED, **at)

@@ -7,8 +7,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.explorers.live import LiveView, module, whole_between
-from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.parameter import Parameter, Value, whole_between
+from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.trajectory import Ascent, Trajectory, fly, turn
 from rlswaim.vehicle import FlightCondition
@@ -92,7 +93,7 @@ class AscentView(LiveView):
     """The ascent under sliders; ``trajectory()`` flies the program that they show."""
 
     system = "trajectory"
-    _esm = module("live", "plot", "ascent")
+    _esm = module("ascent")
 
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
         self._ascent = ascent

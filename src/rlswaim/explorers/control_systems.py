@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 from rlswaim import checks, systems
 from rlswaim.branches import continuous_branches
 from rlswaim.explorers.multiaffine import Forms, multiaffine_forms, with_shapes
+from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.presets import corrected_designs, designs, presets
-from rlswaim.explorers.widget import Explorer, Parameter, Value
+from rlswaim.explorers.widget import Explorer
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import OUTPUTS, STATES, PerturbationEquations, printed_equations
 from rlswaim.vehicle import swaim_booster

@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 
 from rlswaim import checks
 from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determinant_table
-from rlswaim.explorers.live import LiveView, module, whole_between
-from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.parameter import Parameter, Value, whole_between
+from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.modes import BendingMode
 from rlswaim.perturbation import perturbation_equations
@@ -139,7 +140,7 @@ class CoupledVehicle(LiveView):
     """The uncontrolled vehicle under sliders; ``vehicle()`` is its state space, ``poles()`` its poles."""
 
     system = "coupling"
-    _esm = module("roots", "locus", "live", "plot", "coupled_vehicle")
+    _esm = module("coupled_vehicle")
 
     def __init__(self, booster: Booster, **values: Value) -> None:
         self._booster, feet = booster, np.arange(421.0)

@@ -8,7 +8,7 @@ from rlswaim.evidence.conclusions import found_gains
 from rlswaim.evidence.matching import printed_roots
 from rlswaim.evidence.search import winners
 from rlswaim.evidence.section_4 import K_C, WANTED
-from rlswaim.explorers.widget import Value
+from rlswaim.explorers.parameter import Value
 from rlswaim.loops import as_text
 from rlswaim.perturbation import PerturbationEquations
 from rlswaim.rigid_body import rigid_body, rigid_design

@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.dual import coupling_numerator, final_design
 from rlswaim.evidence.conclusions import found_gains
-from rlswaim.explorers.live import LiveView, module, whole_between
+from rlswaim.explorers.live import LiveView
 from rlswaim.explorers.multiaffine import MultiAffine, Term, with_shapes
-from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.explorers.parameter import Parameter, Value, whole_between
+from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import PerturbationEquations
 from rlswaim.systems import dual_actuation
@@ -128,7 +129,7 @@ class StationMap(LiveView):
     """The map over all pairs of stations at the sliders' gains; ``closed_loop()`` is that of the pair."""
 
     system = "station-map"
-    _esm = module("roots", "abscissa", "live", "plot", "station_map")
+    _esm = module("station_map")
 
     def __init__(
         self, eqs: PerturbationEquations, beside: widgets.Widget | None = None, **values: Value
@@ -142,7 +143,7 @@ class StationMap(LiveView):
         payload = {
             "terms": [term._asdict() for term in form(eqs).terms],
             "shapes": {n: {"at": at, "values": values.tolist()} for n, (at, values) in shapes.items()},
-            "worker": module("roots", "abscissa", "map_worker"),
+            "worker": module("map_worker"),
             "pairs": [{"case": int(c), "sensor": int(s), "jet": int(j)} for c, s, j in cases],
             "palette": [to_hex(colormaps["PuOr_r"](place)) for place in np.linspace(0, 1, 129)],
             "colors": {"pair": COLORS["rigid"], "table": COLORS["neutral"]},
