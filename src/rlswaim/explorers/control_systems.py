@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from rlswaim import checks, systems
 from rlswaim.branches import continuous_branches
-from rlswaim.explorers.multiaffine import Forms, multiaffine_forms, with_shapes
+from rlswaim.explorers.multiaffine import Forms, MultiAffine, multiaffine_forms, with_shapes
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.presets import corrected_designs, designs, presets
 from rlswaim.explorers.widget import Explorer
@@ -90,6 +90,18 @@ class ControlSystem:
         return multiaffine_forms(
             lambda **factors: self.at_factors(eqs, **factors), self.groups, self.outputs, OUTPUTS
         )
+
+    def polynomial(self, eqs: PerturbationEquations) -> MultiAffine:
+        """Return the characteristic polynomial alone, as `forms` does."""
+        return multiaffine_forms(lambda **factors: self.at_factors(eqs, **factors), self.groups).polynomial
+
+    def shape_values(self, eqs: PerturbationEquations) -> dict[str, dict[str, Any]]:
+        """Return for each factor of a station the name of that and the values at each foot of the vehicle."""
+        return {
+            factor: {"at": station, "values": _shape_values(eqs, *enters)}
+            for station, entering in self.shapes.items()
+            for factor, enters in entering.items()
+        }
 
     def closed_loop(self, eqs: PerturbationEquations, **values: Any) -> control.StateSpace:
         """Return the closed loop of the library at the sliders' values."""
@@ -243,7 +255,7 @@ def _shape_values(eqs: PerturbationEquations, kind: str, mode: int) -> list[floa
 
 
 def payload(system: ControlSystem, eqs: PerturbationEquations, forms: Forms) -> dict[str, Any]:
-    """Return what the browser gets of a control system but where its sliders stand."""
+    """Return what the browser gets of a control system with its ``forms``, but where its sliders stand."""
     jet = {"valve": COLORS["jet"]} if "K_r" in system.actuators else {}
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in system.loci) else {}
     return {
@@ -255,11 +267,7 @@ def payload(system: ControlSystem, eqs: PerturbationEquations, forms: Forms) -> 
             for i, by_output in forms.numerators.items()
         },
         "units": {name: UNITS[name] for name in system.outputs},
-        "shapes": {
-            factor: {"at": station, "values": _shape_values(eqs, *enters)}
-            for station, entering in system.shapes.items()
-            for factor, enters in entering.items()
-        },
+        "shapes": system.shape_values(eqs),
         "choice": {"name": "feedback", "zero": {"total": [], "rigid body": list(AT_GYRO)}}
         if system.choice
         else None,
