@@ -8,7 +8,7 @@ import numpy as np
 
 from rlswaim import trajectory
 from rlswaim.explorers.live import LiveView
-from rlswaim.explorers.parameter import Parameter, Value
+from rlswaim.explorers.parameter import FEET, Parameter, Value
 from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import ROWS, perturbation_equations
@@ -85,7 +85,7 @@ class BentVehicle(LiveView):
     _esm = module("bent_vehicle")
 
     def __init__(self, booster: Booster, **values: Value) -> None:
-        self.forces, feet = forces(booster), np.arange(421.0)
+        self.forces, feet = forces(booster), np.array(FEET, float)
         W, gamma_0 = (
             booster.M * constants("vehicle")["g"],
             trajectory.level_at_burnout(trajectory.swaim_ascent()),

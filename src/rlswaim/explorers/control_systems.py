@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from rlswaim import checks, systems
 from rlswaim.branches import continuous_branches
 from rlswaim.explorers.multiaffine import Forms, MultiAffine, multiaffine_forms, with_shapes
-from rlswaim.explorers.parameter import Parameter, Value
+from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.presets import corrected_designs, designs, presets
 from rlswaim.explorers.widget import Explorer
 from rlswaim.figures.style import COLORS
@@ -27,12 +27,10 @@ BRANCHES = {
     "actuator": COLORS["actuator"],
 }
 UNITS = {"alpha": "rad", "theta": "rad", "q1": "ft", "q2": "ft", "delta": "rad", "delta_r": "lb"}
-FEET = tuple(range(int(checks.LENGTH) + 1))
 AT_SENSOR = {"phi_1": ("deflection", 0), "phi_2": ("deflection", 1)}
 AT_GYRO = {"sigma_1": ("slope", 0), "sigma_2": ("slope", 1)}
 
 Shapes = Mapping[str, Mapping[str, tuple[str, int]]]
-Magnitudes = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -115,9 +113,9 @@ class ControlSystem:
         numbers = [_number(name, *scale, known) for name, scale in self.gains.items()]
         stations = [
             Parameter(
-                name, name.replace("_", " ").capitalize(), "ft", f"station of the {name} (ft)", FEET, _whole
+                at, at.replace("_", " ").capitalize(), "ft", f"station of the {at} (ft)", FEET, whole_station
             )
-            for name in self.shapes
+            for at in self.shapes
         ]
         choice = Parameter("feedback", "Feedback", "", "angle fed back", FEEDBACKS, _feedback)
         return (*numbers, *stations, *([choice] if self.choice else []))
@@ -145,13 +143,6 @@ def _number(name: str, least: float, most: float, signed: bool, known: list[dict
     symbol, unit, meaning = MEANINGS[name]
     grid = np.union1d(rounded, [float(f"{design[name]:.4g}") for design in known])
     return Parameter(name, rf"\({symbol}\)", unit, f"{name}, {meaning}", tuple(grid.tolist()))
-
-
-def _whole(name: str, value: object, where: str) -> int:
-    station = checks.station(name, value, where)
-    if station != int(station):
-        raise ValueError(f"{name} in {where}: got station {station:g} ft, wanted a whole number of feet")
-    return int(station)
 
 
 def _feedback(name: str, value: object, where: str) -> str:

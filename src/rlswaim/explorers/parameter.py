@@ -18,32 +18,22 @@ from rlswaim import checks
 Value = float | int | str
 
 
-def whole_between(name: str, value: object, where: str, *, low: int, high: int, unit: str) -> int:
-    """Return a whole number in a range.
+FEET = tuple(range(int(checks.LENGTH) + 1))
+"""The places of a station's slider."""
 
-    Parameters
-    ----------
-    name, where : str
-        For the error's words.
-    value : object
-    low, high : int
-    unit : str
 
-    Returns
-    -------
-    int
+def whole_station(name: str, value: object, where: str) -> int:
+    """Return ``value``, for a parameter's ``name`` in a view (``where``), as a station in whole feet.
 
     Raises
     ------
     ValueError, TypeError
-        If it is not whole, not in the range, or no number.
+        If it is not whole, not on the vehicle, or no number.
     """
-    number = checks.real(name, value, where)
-    if number != int(number) or not low <= number <= high:
-        raise ValueError(
-            f"{name} in {where}: got {number:g} {unit}, wanted a whole number from {low} to {high} {unit}"
-        )
-    return int(number)
+    station = checks.station(name, value, where)
+    if station != int(station):
+        raise ValueError(f"{name} in {where}: got station {station:g} ft, wanted a whole number of feet")
+    return int(station)
 
 
 @dataclass(frozen=True)
