@@ -12,7 +12,7 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim import checks
+from rlswaim import checks, loops
 from rlswaim.locus import RootLocus, root_locus
 from rlswaim.loops import from_factors, transfer
 from rlswaim.perturbation import JET_STATION, OUTPUTS, ROWS, PerturbationEquations
@@ -40,8 +40,7 @@ def final_design() -> tuple[JetLoop, float]:
 
 def elastic_numerator(eqs: PerturbationEquations, signal: str, loop: JetLoop) -> NDArray:
     """Return phi_1(z) N_q1 + phi_2(z) N_q2 for ``signal`` delta or delta_r, shape (8,) [Eqs. 133, 134]."""
-    phi = [mode.deflection(loop.sensor) for mode in eqs.modes]
-    return phi[0] * eqs.numerator("q1", signal, loop.jet) + phi[1] * eqs.numerator("q2", signal, loop.jet)
+    return loops.elastic_numerator(eqs, loop.sensor, signal, loop.jet)
 
 
 def coupling_numerator(eqs: PerturbationEquations, first: str, second: str, jet: float) -> NDArray:
@@ -216,6 +215,12 @@ def with_reading(
     return replace(eqs, modes=(modes[0], modes[1]))
 
 
+def elastic_poles(eqs: PerturbationEquations) -> list[complex]:
+    """Return the pole above the real axis (1/s) of each bending mode, the first mode's first."""
+    poles = roots(eqs.characteristic_polynomial())
+    return sorted(poles[poles.imag > 1e-6], key=abs)
+
+
 class Stiffening(NamedTuple):
     """What closure 1 does to both bending modes for one pair of Table 3, for the better sign of k K_z.
 
@@ -238,12 +243,20 @@ class Stiffening(NamedTuple):
 VERDICTS = ("no", "higher at the end", "rises throughout")
 
 
+def table_3_pairs() -> tuple[tuple[int, float, float], ...]:
+    """Return the cases of Table 3: number, station of the sensor, station of the jet (ft)."""
+    columns = (column("table3", name) for name in ("case", "sensor_ft", "jet_ft"))
+    return tuple((int(case), sensor, jet) for case, sensor, jet in zip(*columns, strict=True))
+
+
 def table_3(eqs: PerturbationEquations, points: int = 600) -> tuple[Stiffening, ...]:
     """Return `Stiffening` for each of Table 3's pairs, with ``points`` gains up to that of Figure 24."""
-    cases = zip(*(column("table3", name) for name in ("case", "sensor_ft", "jet_ft")), strict=True)
     design, largest = final_design()
     gains = gains_to(largest, points)
-    return tuple(stiffening(eqs, int(c), design._replace(sensor=z, jet=r), gains) for c, z, r in cases)
+    return tuple(
+        stiffening(eqs, case, design._replace(sensor=sensor, jet=jet), gains)
+        for case, sensor, jet in table_3_pairs()
+    )
 
 
 def gains_to(largest: float, points: int) -> NDArray:
@@ -261,8 +274,7 @@ def stiffening(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDAr
 def _stiffening(
     eqs: PerturbationEquations, case: int, loop: JetLoop, sign: int, locus: RootLocus
 ) -> Stiffening:
-    open_poles = roots(eqs.characteristic_polynomial())
-    elastic = sorted(open_poles[open_poles.imag > 1e-6], key=abs)
+    elastic = elastic_poles(eqs)
     way = locus.roots[:, [int(np.argmin(np.abs(locus.roots[0] - pole))) for pole in elastic]]
     factors = np.abs(way) / np.abs(way[0])
     good = ((factors >= 1 - 1e-6) & (way.imag > 1e-6)).all(axis=1)

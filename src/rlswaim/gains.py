@@ -43,6 +43,8 @@ def gain_terms(
         Polynomials, constant term first, that multiply 1, K_C, K_A K_C, K_A K_C K_R and
         K_C K_z of each sensor (``"K_C K_z at <station>"``).
     """
+    checks.instance("eqs", eqs, PerturbationEquations, "gain_terms")
+    sensors = [checks.station("sensor", x, "gain_terms") for x in sensors]
     delta, attitude = eqs.characteristic_polynomial(), attitude_numerator(eqs, gyro)
     terms = {
         "1": npp.polymulx(delta),
@@ -124,9 +126,7 @@ def stability_certificate(
     By duality the largest t with ``free + terms @ gains >= t`` is the least ``weights @ free``
     over weights of sum 1 with ``weights @ terms = 0``.
     """
-    free, *terms = (
-        p[:8] for p in gain_terms(eqs, gyro, [checks.station("sensor", x) for x in sensors]).values()
-    )
+    free, *terms = (p[:8] for p in gain_terms(eqs, gyro, sensors).values())
     balance = np.vstack([*terms, np.ones(8)])
     found = linprog(free, A_eq=balance, b_eq=np.r_[np.zeros(len(terms)), 1.0], bounds=(0, None))
     if found.x is None:  # no weights cancel the gains, so that they make t as large as they like
@@ -160,9 +160,7 @@ def slow_root_certificate(
     q_(k-1) by at most slow q_k, and a stable q has positive coefficients.  The program seeks
     gains and a q without a negative coefficient, and returns the least excess over these bounds.
     """
-    free, *terms = (
-        p[:8] for p in gain_terms(eqs, gyro, [checks.station("sensor", x) for x in sensors]).values()
-    )
+    free, *terms = (p[:8] for p in gain_terms(eqs, gyro, sensors).values())
     shifted, own = np.eye(8, 8, -1), slow * np.eye(8)
     # The unknowns are the gains, q_0 to q_7 (which is 1, as p is monic) and the excess.
     moved, excess = np.array(terms).T, np.ones((8, 1))

@@ -18,6 +18,7 @@ from rlswaim.dual import (
     VERDICTS,
     JetLoop,
     Stiffening,
+    elastic_poles,
     final_design,
     gains_to,
     literal_bracket,
@@ -25,7 +26,6 @@ from rlswaim.dual import (
     with_reading,
 )
 from rlswaim.perturbation import PerturbationEquations
-from rlswaim.polynomials import roots
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 """Corners of the box of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
@@ -78,10 +78,9 @@ def starting_rates(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> N
     fixed = np.tile([1.0, loop.jet - eqs.l_CG], (len(phi), 1))
     weights = np.hstack([fixed, phi[:, 2:]])
     braces = np.einsum("nij,ki,kj->nk", literal_bracket(eqs), phi[:, :2], weights)
-    delta = eqs.characteristic_polynomial()
-    slope, poles = npp.polyder(npp.polymul([loop.K_r, 1.0], delta)), roots(delta)
+    slope = npp.polyder(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()))
     found = []
-    for s in sorted(poles[poles.imag > 1e-6], key=abs):
+    for s in elastic_poles(eqs):
         numerator = loop.K_r * (loop.b + s) * s * npp.polyval(s, braces) / (1000 * eqs.U)
         found.append((np.conj(s) * numerator / npp.polyval(s, slope)).real / abs(s))
     return np.array(found).T

@@ -14,7 +14,8 @@ from rlswaim import dual
 from rlswaim.evidence import section_7
 from rlswaim.evidence.matching import printed, printed_roots
 from rlswaim.evidence.section_4 import K_C, closed_loop_roots
-from rlswaim.loops import displacement_numerator
+from rlswaim.evidence.section_5 import quartic
+from rlswaim.loops import closed_polynomial, displacement_numerator
 from rlswaim.perturbation import ROWS, PerturbationEquations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.rigid_body import RigidBody, rigid_body, rigid_design
@@ -139,7 +140,7 @@ def _counts(loop: dual.JetLoop) -> dict[str, float]:
     poles = np.array(dual.printed_factors("eq137-pole-"))
     real = poles[poles.imag == 0]
     opened = dual.printed_closure_3(*(constants("section_7")[name] for name in ("K_C", "K_R")))
-    closed = roots(npp.polyadd(1e-6 * opened.num[0][0][::-1], opened.den[0][0][::-1]))
+    closed = roots(closed_polynomial(opened, 1e-6))
     return {
         "text-short": float(np.sum(np.abs(real + loop.b) > 0.1)),
         "text-elastic": float(np.sum(poles.imag > 0)),
@@ -162,8 +163,7 @@ def quartic_differences(eqs: PerturbationEquations) -> NDArray:
     """
     rows = []
     for section, start, station in (("V", "eq108-z", 140), ("VI", "eq115-z", 300)):
-        zeros = list(printed_roots(section, start).values())
-        theirs = npp.polyfromroots([*zeros, *np.conj(zeros)]).real
+        theirs = quartic(np.array(list(printed_roots(section, start).values())))
         ours = displacement_numerator(dual.with_reading(eqs, station, READ[station]), station, b=0.0)[2:7]
         rows.append(theirs - ours / ours[-1])
     return np.array(rows)

@@ -16,6 +16,7 @@ from rlswaim import checks, systems
 from rlswaim.dual import JetLoop, closed_1, theta_numerator
 from rlswaim.gains import gain_terms
 from rlswaim.perturbation import PerturbationEquations
+from rlswaim.rigid_body import WANTED
 
 LOOPS: dict[str, Callable[..., control.StateSpace]] = {
     "rate_attitude": systems.rate_attitude,
@@ -28,8 +29,6 @@ LOOPS: dict[str, Callable[..., control.StateSpace]] = {
 }
 SENSORS = {"K_z": "sensor", "K_za": "sensor_a", "K_zb": "sensor_b"}
 """Gain of each linear sensor that feeds the thrust vector, and the name of its station."""
-WANTED = complex(-1.0, np.sqrt(3.0))
-"""The short period that the report asks for: 2 rad/s, damping ratio .5 [Section IV]."""
 
 
 def _readings(modes: tuple, stations: NDArray, what: str) -> NDArray:

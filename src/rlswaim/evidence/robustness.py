@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.evidence.closing import state_matrices
-from rlswaim.evidence.search import abscissas, slow_bound
+from rlswaim.evidence.search import abscissas, slow_roots
 from rlswaim.perturbation import PerturbationEquations, perturbation_equations
 from rlswaim.vehicle import Booster
 
@@ -153,6 +153,5 @@ def borne(eqs: PerturbationEquations, booster: Booster, gains: Mapping[str, floa
 
 def _slow(poles: NDArray) -> str:
     """Return the rightmost of the slow roots of some loops as text."""
-    nearest = np.take_along_axis(poles, np.abs(poles).argmin(axis=1)[:, None], axis=1)
-    slow = nearest[(nearest.imag == 0) & (np.abs(nearest) <= slow_bound())].real
-    return f"{slow.max():+.2g}" if slow.size else "none"
+    slow = slow_roots(poles)
+    return "none" if np.isnan(slow).all() else f"{np.nanmax(slow):+.2g}"

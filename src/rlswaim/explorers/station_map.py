@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
+from rlswaim.dual import table_3_pairs
 from rlswaim.evidence.conclusions import found_gains
 from rlswaim.explorers import presets
 from rlswaim.explorers.control_systems import DUAL_ACTUATION
@@ -14,7 +15,6 @@ from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import PerturbationEquations
-from rlswaim.tables import column
 
 
 def designs() -> dict[str, dict[str, Value]]:
@@ -37,12 +37,11 @@ class StationMap(LiveView):
         self, eqs: PerturbationEquations, beside: widgets.Widget | None = None, **values: Value
     ) -> None:
         self._eqs, chosen = eqs, designs()
-        cases = zip(*(column("table3", name) for name in ("case", "sensor_ft", "jet_ft")), strict=True)
         payload = {
             "terms": [term._asdict() for term in DUAL_ACTUATION.polynomial(eqs).terms],
             "shapes": DUAL_ACTUATION.shape_values(eqs),
             "worker": module("map_worker"),
-            "pairs": [{"case": int(c), "sensor": int(s), "jet": int(j)} for c, s, j in cases],
+            "pairs": [{"case": case, "sensor": int(z), "jet": int(r)} for case, z, r in table_3_pairs()],
             "palette": [to_hex(colormaps["PuOr_r"](place)) for place in np.linspace(0, 1, 129)],
             "colors": {"pair": COLORS["rigid"], "table": COLORS["neutral"]},
             "presets": [{"name": n, "label": "gains and stations", "values": v} for n, v in chosen.items()],
