@@ -17,12 +17,11 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim.dual import final_design
-from rlswaim.evidence.matching import printed
 from rlswaim.evidence.section_4 import CLOSED_LOOPS, K_C
 from rlswaim.loops import as_text
 from rlswaim.perturbation import COEFFICIENTS, PerturbationEquations
 from rlswaim.systems import dual_actuation, rate_attitude
-from rlswaim.tables import constants, half_unit, read_table
+from rlswaim.tables import constants, half_unit, printed, read_table
 
 Reduce = Callable[[NDArray, list[str]], NDArray]
 

@@ -17,7 +17,7 @@ from rlswaim.locus import RootLocus, root_locus
 from rlswaim.loops import from_factors, transfer
 from rlswaim.perturbation import JET_STATION, OUTPUTS, ROWS, PerturbationEquations
 from rlswaim.polynomials import determinant, roots
-from rlswaim.tables import column, constants, printed_rows
+from rlswaim.tables import column, constants, printed
 
 ARMS = {"Z": 1.0, "M": 1.0, "F1": -1.0, "F2": -1.0}
 """Sign of the jet's force in each equation; M has the arm l_r - l_CG, F_i has phi_i(r) [Eq. 125]."""
@@ -160,15 +160,9 @@ def listed(values: Iterable[complex], digits: int = 3) -> str:
     return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)
 
 
-def printed(start: str) -> dict[str, float]:
-    """Return the printed numbers of Section VII whose ids start so, by the rest of the id."""
-    rows = printed_rows("VII")
-    return {r["id"].removeprefix(start): float(r["printed"]) for r in rows if r["id"].startswith(start)}
-
-
 def printed_factors(start: str) -> list[complex]:
     """Return printed roots (1/s): ids ``<start>r1`` real, ``<start>c1-re`` and ``<start>c1-im`` complex."""
-    number = printed(start)
+    number = printed("VII", start)
     real = [complex(value) for name, value in number.items() if name[0] == "r"]
     pairs = [
         complex(v, number[name.replace("-re", "-im")]) for name, v in number.items() if name.endswith("-re")
@@ -179,13 +173,13 @@ def printed_factors(start: str) -> list[complex]:
 def printed_closure_2() -> control.TransferFunction:
     """Return Eq. 136 from its printed factors."""
     zeros, poles = printed_factors("eq136-zero-"), printed_factors("eq136-pole-")
-    return from_factors(printed("eq136-")["gain"], [*zeros, 0.0, 0.0], [*poles, 0.0])
+    return from_factors(printed("VII", "eq136-")["gain"], [*zeros, 0.0, 0.0], [*poles, 0.0])
 
 
 def printed_closure_3(K_C: float, K_R: float) -> control.TransferFunction:
     """Return Eq. 137 from its printed factors, for K_A = 1."""
     zeros, poles = printed_factors("eq137-zero-"), printed_factors("eq137-pole-")
-    gain = printed("eq137-")["gain"] * K_C * K_R
+    gain = printed("VII", "eq137-")["gain"] * K_C * K_R
     return from_factors(gain, [*zeros, 0.0, -1 / K_R], [*poles, -K_C, 0.0, 0.0])
 
 

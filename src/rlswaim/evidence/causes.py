@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from rlswaim import dual
 from rlswaim.evidence import section_7
-from rlswaim.evidence.matching import printed, printed_roots
+from rlswaim.evidence.matching import printed_roots
 from rlswaim.evidence.section_4 import K_C, closed_loop_roots
 from rlswaim.evidence.section_5 import quartic
 from rlswaim.loops import closed_polynomial, displacement_numerator
 from rlswaim.perturbation import ROWS, PerturbationEquations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.rigid_body import RigidBody, rigid_body, rigid_design
-from rlswaim.tables import constants, read_table
+from rlswaim.tables import constants, printed, read_table
 
 READ = {39: (7.15, -2.2), 140: (1.6, 5.4), 300: (-1.25, -1.25)}
 """Deflections of both modes that the report's later numbers ask for, read off Figure 5, by station (ft)."""
@@ -104,7 +104,7 @@ def _eq136_zeros(eqs: PerturbationEquations, loop: dual.JetLoop) -> NDArray:
 
 def printed_bracket() -> NDArray:
     """Return the braces of Eq. 133 as printed, slips and all: shape (5, 2, 4), as `dual.literal_bracket`."""
-    number = dual.printed("eq133-")
+    number = printed("VII", "eq133-")
     bracket = np.zeros((5, 2, 4))
     bracket[4, 0, 2], bracket[4, 1, 3] = -number["s4-1"], -number["s4-2"]
     for power in range(4):
@@ -118,7 +118,7 @@ def printed_closed_1(eqs: PerturbationEquations) -> NDArray:
     loop, kK_z = dual.final_design()
     arms = [1, loop.jet - eqs.l_CG, *READ[140]]
     braces = np.einsum("kij,i,j->k", printed_bracket(), READ[39], arms)
-    top = -dual.printed("eq133-")["scale"] * kK_z * loop.K_r * npp.polymul([loop.b, 1.0], [0.0, *braces])
+    top = -printed("VII", "eq133-")["scale"] * kK_z * loop.K_r * npp.polymul([loop.b, 1.0], [0.0, *braces])
     return npp.polyadd(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()), top)
 
 

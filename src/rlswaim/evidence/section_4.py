@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from rlswaim.evidence.matching import as_written, printed, roots_beside
+from rlswaim.evidence.matching import as_written, roots_beside
 from rlswaim.gains import gain_terms, gains_for_pole
 from rlswaim.locus import root_locus
 from rlswaim.loops import denominator, factors, theta_loop
 from rlswaim.perturbation import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.rigid_body import WANTED, RigidBody, rigid_body, rigid_design
-from rlswaim.tables import read_table
+from rlswaim.tables import printed, read_table
 from rlswaim.vehicle import swaim_booster
 
 K_C = 10.0

@@ -9,7 +9,7 @@ from rlswaim.evidence.matching import as_written
 from rlswaim.loops import closed_polynomial
 from rlswaim.perturbation import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
-from rlswaim.tables import constants
+from rlswaim.tables import constants, printed
 from rlswaim.vehicle import swaim_booster
 
 
@@ -28,7 +28,7 @@ def paired(start: str, found: NDArray) -> dict[str, float]:
     dict
         Empty places, where roots are fewer than printed, hold nan.
     """
-    number = {name: value for name, value in dual.printed(start).items() if name[0] in "rc"}
+    number = {name: value for name, value in printed("VII", start).items() if name[0] in "rc"}
     names = [name for name in number if not name.endswith("-im")]
     wanted = np.array([complex(number[n], number.get(f"{n.removesuffix('-re')}-im", 0.0)) for n in names])
     found = np.asarray(found)[np.imag(found) >= 0]
