@@ -16,6 +16,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from rlswaim import checks
 from rlswaim.dual import final_design
 from rlswaim.evidence.section_4 import CLOSED_LOOPS, K_C
 from rlswaim.loops import as_text
@@ -84,6 +85,7 @@ def family(
     reduce : callable
         From state matrices and names of the states to those wanted: `without` or `zeros_of_theta`.
     """
+    checks.instance("eqs", eqs, PerturbationEquations, "family")
     values = np.array([eqs.coefficients[name] for name in COEFFICIENTS])
     start = build(eqs)
     effects = []

@@ -31,6 +31,16 @@ class JetLoop(NamedTuple):
     sensor: float
     jet: float = JET_STATION
 
+    @property
+    def valve(self) -> NDArray:
+        """The valve's s + K_r; ValueError if K_r is not finite."""
+        return np.array([checks.real("K_r", self.K_r, "JetLoop"), 1.0])
+
+    @property
+    def reading(self) -> NDArray:
+        """The sensor's s + b; ValueError if b is not finite."""
+        return np.array([checks.real("b", self.b, "JetLoop"), 1.0])
+
 
 def final_design() -> tuple[JetLoop, float]:
     """Return the jet's loop of Figures 24 and 25 and its gain k K_z (lb s/ft)."""
@@ -109,14 +119,15 @@ def direct_response(eqs: PerturbationEquations, sensor: NDArray, jet: NDArray) -
 
 def closure_1(eqs: PerturbationEquations, loop: JetLoop) -> control.TransferFunction:
     """Return closure 1's open loop for k K_z = 1 [Eq. 133]."""
-    top = -loop.K_r * npp.polymul([loop.b, 1.0], elastic_numerator(eqs, "delta_r", loop)[:6])
-    return transfer(top, npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()))
+    top = -loop.K_r * npp.polymul(loop.reading, elastic_numerator(eqs, "delta_r", loop)[:6])
+    return transfer(top, npp.polymul(loop.valve, eqs.characteristic_polynomial()))
 
 
 def closed_1(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> NDArray:
     """Return the characteristic polynomial of closure 1, shape (9,) [Eq. 133]."""
-    moved = npp.polymul([loop.b, 1.0], elastic_numerator(eqs, "delta_r", loop)[:6])
-    return npp.polysub(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()), kK_z * loop.K_r * moved)
+    moved = npp.polymul(loop.reading, elastic_numerator(eqs, "delta_r", loop)[:6])
+    gain = checks.real("kK_z", kK_z, "closed_1") * loop.K_r
+    return npp.polysub(npp.polymul(loop.valve, eqs.characteristic_polynomial()), gain * moved)
 
 
 def jet_numerator(eqs: PerturbationEquations, loop: JetLoop, as_printed: bool = False) -> NDArray:
@@ -131,7 +142,7 @@ def closure_2(
 ) -> control.TransferFunction:
     """Return closure 2's open loop [Eq. 134], with Eq. 135's numerator ``as_printed`` or as it should be."""
     top = npp.polymul(jet_numerator(eqs, loop, as_printed), elastic_numerator(eqs, "delta", loop)[:6])
-    top = kK_z * loop.K_r * npp.polymul([loop.b, 1.0], top)
+    top = checks.real("kK_z", kK_z, "closure_2") * loop.K_r * npp.polymul(loop.reading, top)
     bottom = npp.polymul(eqs.numerator("theta", "delta")[:6], closed_1(eqs, loop, kK_z))
     return transfer(np.where(np.abs(top) > 1e-12 * np.abs(top).max(), top, 0.0), bottom)
 
@@ -142,8 +153,9 @@ def theta_numerator(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> N
     coupled = [
         p * coupling_numerator(eqs, "theta", q, loop.jet) for p, q in zip(phi, ("q1", "q2"), strict=True)
     ]
-    own = npp.polymul([loop.K_r, 1.0], eqs.numerator("theta", "delta")[:6])
-    return npp.polysub(own, kK_z * loop.K_r * npp.polymul([loop.b, 1.0], coupled[0] + coupled[1]))
+    own = npp.polymul(loop.valve, eqs.numerator("theta", "delta")[:6])
+    gain = checks.real("kK_z", kK_z, "theta_numerator") * loop.K_r
+    return npp.polysub(own, gain * npp.polymul(loop.reading, coupled[0] + coupled[1]))
 
 
 def closure_3(
@@ -190,9 +202,10 @@ def fitted_deflections(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -
     """
     p = printed_factors("text-closure1-")
     wanted = npp.polyfromroots([0.0, *p, *(z.conjugate() for z in p if z.imag)]).real[1:7]
-    base = npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial())[1:7]
+    base = npp.polymul(loop.valve, eqs.characteristic_polynomial())[1:7]
     numerators = [eqs.numerator(q, "delta_r", loop.jet)[:6] for q in ("q1", "q2")]
-    effect = [-kK_z * loop.K_r * npp.polymul([loop.b, 1.0], n)[1:7] / wanted for n in numerators]
+    gain = -checks.real("kK_z", kK_z, "fitted_deflections") * loop.K_r
+    effect = [gain * npp.polymul(loop.reading, n)[1:7] / wanted for n in numerators]
     phi = np.linalg.lstsq(np.array(effect).T, (wanted - base) / wanted, rcond=None)[0]
     return float(phi[0]), float(phi[1])
 
@@ -255,7 +268,8 @@ def table_3(eqs: PerturbationEquations, points: int = 600) -> tuple[Stiffening, 
 
 def gains_to(largest: float, points: int) -> NDArray:
     """Return 0 and so many ``points`` up to the size of the ``largest`` gain, evenly in the logarithm."""
-    return np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * abs(largest)])
+    size = abs(checks.real("largest", largest, "gains_to"))
+    return np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * size])
 
 
 def stiffening(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) -> Stiffening:

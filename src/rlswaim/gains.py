@@ -78,10 +78,9 @@ def gains_for_pole(
     Raises
     ------
     ValueError
-        If the pole is real: then one gain remains free.
+        If the pole is real: then one gain remains free; or if a number is not finite.
     """
-    if not np.imag(pole):
-        raise ValueError(f"pole in gains_for_pole: got {pole}, wanted one off the real axis")
+    pole, K_C = checks.off_axis("pole", pole, "gains_for_pole"), checks.real("K_C", K_C, "gains_for_pole")
     terms = {name: npp.polyval(pole, p) for name, p in gain_terms(eqs, gyro).items()}
     # K_A (1 + K_R s) = -(Delta (s + K_C)) / (K_C N) at the pole
     wanted = -(terms["1"] + K_C * terms["K_C"]) / (K_C * terms["K_A K_C"])
@@ -161,7 +160,7 @@ def slow_root_certificate(
     gains and a q without a negative coefficient, and returns the least excess over these bounds.
     """
     free, *terms = (p[:8] for p in gain_terms(eqs, gyro, sensors).values())
-    shifted, own = np.eye(8, 8, -1), slow * np.eye(8)
+    shifted, own = np.eye(8, 8, -1), checks.not_negative("slow", slow, "slow_root_certificate") * np.eye(8)
     # The unknowns are the gains, q_0 to q_7 (which is 1, as p is monic) and the excess.
     moved, excess = np.array(terms).T, np.ones((8, 1))
     sides = [[moved, -shifted - own, -excess], [-moved, shifted - own, -excess]]

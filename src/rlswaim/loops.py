@@ -25,7 +25,11 @@ Closed = Sequence[tuple[float, float]]
 
 def transfer(numerator: ArrayLike, denominator: ArrayLike) -> control.TransferFunction:
     """Return ``numerator`` over ``denominator``, two polynomials given constant term first."""
-    return control.tf(trimmed(numerator)[::-1], trimmed(denominator)[::-1])
+    top, bottom = (
+        checks.frozen_array(name, p, "transfer")
+        for name, p in (("numerator", numerator), ("denominator", denominator))
+    )
+    return control.tf(trimmed(top)[::-1], trimmed(bottom)[::-1])
 
 
 def from_factors(gain: float, zeros: Sequence[complex], poles: Sequence[complex]) -> control.TransferFunction:
@@ -72,6 +76,7 @@ def as_latex(loop: control.TransferFunction, digits: int = 4) -> str:
 
 def closed_polynomial(loop: control.TransferFunction, gain: float = 1.0) -> NDArray:
     """Return denominator plus ``gain`` times numerator of a ``loop``, constant term first."""
+    gain = checks.real("gain", gain, "closed_polynomial")
     return npp.polyadd(gain * loop.num[0][0][::-1], loop.den[0][0][::-1])
 
 
@@ -123,7 +128,7 @@ def displacement_numerator(eqs: PerturbationEquations, sensor: float, b: float =
     ndarray, shape (9,)
         Constant term first.
     """
-    return -np.convolve([b, 1.0], elastic_numerator(eqs, sensor))
+    return -np.convolve([checks.real("b", b, "displacement_numerator"), 1.0], elastic_numerator(eqs, sensor))
 
 
 def denominator(eqs: PerturbationEquations, K_C: float, closed: Closed = (), order: int = 4) -> NDArray:
@@ -216,7 +221,7 @@ def sensor_zeros(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
 
 def open_loop_parts(eqs: PerturbationEquations, K_C: float) -> dict[str, NDArray]:
     """Return the open loop's poles (1/s) by origin: rigid body, modes of ``eqs``, actuator (K_C in 1/s)."""
-    poles = roots(eqs.characteristic_polynomial())
+    poles, K_C = roots(eqs.characteristic_polynomial()), checks.real("K_C", K_C, "open_loop_parts")
     size = np.sort(np.abs(poles[poles.imag > 0]))
     pair = [poles[(poles.imag != 0) & np.isclose(np.abs(poles), s)] for s in size]
     real = poles[poles.imag == 0]

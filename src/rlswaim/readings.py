@@ -14,6 +14,7 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
+from rlswaim import checks
 from rlswaim.dual import (
     VERDICTS,
     JetLoop,
@@ -75,10 +76,11 @@ def starting_rates(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> N
     ndarray, shape (K, 2)
         In ft/(lb s^2); a mode whose rate has the sign of the gain is stiffened at first.
     """
+    phi = checks.frozen_array("phi", phi, "starting_rates", shape=(len(phi), 4))
     fixed = np.tile([1.0, loop.jet - eqs.l_CG], (len(phi), 1))
     weights = np.hstack([fixed, phi[:, 2:]])
     braces = np.einsum("nij,ki,kj->nk", literal_bracket(eqs), phi[:, :2], weights)
-    slope = npp.polyder(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()))
+    slope = npp.polyder(npp.polymul(loop.valve, eqs.characteristic_polynomial()))
     found = []
     for s in elastic_poles(eqs):
         numerator = loop.K_r * (loop.b + s) * s * npp.polyval(s, braces) / (1000 * eqs.U)
@@ -126,6 +128,8 @@ def readings(
     -------
     tuple of Readings
     """
+    within = checks.not_negative("within", within, "readings")
+    least = checks.not_negative("least", least, "readings")
     inside = np.random.default_rng(seed).uniform(-1, 1, (samples, 4))
     offsets = np.vstack([CORNERS, inside])
     design, largest = final_design()

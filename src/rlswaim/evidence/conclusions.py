@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_continuous_lyapunov
 
+from rlswaim import checks
 from rlswaim.evidence import closing
 from rlswaim.evidence.search import abscissas, search, slow_bound, slow_roots
 from rlswaim.gains import slow_root_certificate
@@ -34,7 +35,9 @@ def margin(poles: NDArray) -> Margin:
 
 def found_gains(system: str) -> dict[str, float]:
     """Return the gains and stations of a ``system`` (``dual_actuation``) that were found by hand."""
-    return {r["parameter"]: float(r["value"]) for r in read_table("gains_found") if r["system"] == system}
+    rows = read_table("gains_found")
+    checks.one_of("system", system, {r["system"] for r in rows}, "found_gains")
+    return {r["parameter"]: float(r["value"]) for r in rows if r["system"] == system}
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
@@ -194,6 +197,7 @@ def with_longitudinal(eqs: PerturbationEquations, alpha_0: float) -> float:
     alpha_0 by 2 u/U of itself, which is the column of alpha times 2 alpha_0 u/U.
     """
     A = np.pad(eqs.state_space().A, ((0, 1), (0, 1)))
+    alpha_0 = checks.real("alpha_0", alpha_0, "with_longitudinal")
     A[:7, 7] = 2 * alpha_0 / eqs.U * A[:7, 0]
     A[7, 1], A[7, 2] = -constants("vehicle")["g"], -eqs.U * alpha_0
     return float(np.linalg.eigvals(A).real.max())

@@ -9,6 +9,7 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 
+from rlswaim import checks
 from rlswaim.evidence.closing import state_matrices
 from rlswaim.evidence.search import abscissas, slow_roots
 from rlswaim.perturbation import PerturbationEquations, perturbation_equations
@@ -99,9 +100,10 @@ def margins(eqs: PerturbationEquations, gains: Mapping[str, float], actuator: st
     Raises
     ------
     ValueError
-        If the loop is not stable as it is.
+        If the loop is not stable as it is, or the actuator is unknown.
     """
-    A, at = _matrix(eqs, gains), ACTUATORS[actuator]
+    at = ACTUATORS[checks.one_of("actuator", actuator, tuple(ACTUATORS), "margins")]
+    A = _matrix(eqs, gains)
     if (worst := np.linalg.eigvals(A).real.max()) >= 0:
         raise ValueError(f"gains in margins: got a loop with a root at {worst:.3g} 1/s, wanted a stable one")
     scaled = np.repeat(A[None], FACTORS.size, axis=0)
