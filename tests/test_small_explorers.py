@@ -16,7 +16,9 @@ from scipy.optimize import linear_sum_assignment
 import rlswaim as rl
 from rlswaim import explorers, stations, trajectory
 from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
-from rlswaim.explorers.live import LiveView, module
+from rlswaim.explorers.control_systems import DUAL_ACTUATION
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.scripts import module
 from rlswaim.polynomials import characteristic_polynomial
 
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
@@ -392,13 +394,13 @@ class TestStationMap:
     GAINS = ("K_A", "K_C", "K_R", "kK_z", "K_r", "b")
 
     def test_form_is_the_characteristic_polynomial(self):
-        form, rng = station_map.form(PRINTED), np.random.default_rng(7)
+        form, rng = DUAL_ACTUATION.polynomial(PRINTED), np.random.default_rng(7)
         for _ in range(20):
             gains = dict(zip(self.GAINS, rng.uniform(-3, 10, 6), strict=True)) | {"kK_z": rng.normal() * 1e5}
             sensor, jet = rng.uniform(0, 420, 2)
-            values = gains | {"arm_r": jet - PRINTED.l_CG}
+            values = gains | {"arm": jet - PRINTED.l_CG}
             for i, mode in enumerate(PRINTED.modes, start=1):
-                values |= {f"phi_{i}_z": mode.deflection(sensor), f"phi_{i}_r": mode.deflection(jet)}
+                values |= {f"phi_{i}": mode.deflection(sensor), f"phi_{i}r": mode.deflection(jet)}
             exact = characteristic_polynomial(rl.dual_actuation(PRINTED, **gains, sensor=sensor, jet=jet).A)
             size = sum(
                 abs(math.prod(values[f] for f in term.factors) * np.array(term.coefficients))
@@ -419,7 +421,7 @@ class TestStationMap:
                      return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
                        .filter(r => r.values).map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
-                [module("roots", "abscissa"), view.payload, gains],
+                [module("abscissa"), view.payload, gains],
             )
         for at, rows in zip(gains, found, strict=True):
             family = stations.DualActuationFamily.of(PRINTED, **at)

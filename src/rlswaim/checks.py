@@ -57,6 +57,13 @@ def station(what: str, value: object, where: str = "") -> float:
     return number
 
 
+def off_axis(what: str, value: complex, where: str) -> complex:
+    """Return ``value`` as a finite complex number off the real axis; ValueError otherwise."""
+    if not np.isfinite(value) or not np.imag(value):
+        raise ValueError(f"{what} in {where}: got {value}, wanted a finite number off the real axis")
+    return complex(value)
+
+
 def frozen_array(
     what: str, values: ArrayLike, where: str = "", shape: tuple[int, ...] | None = None
 ) -> NDArray:

@@ -16,14 +16,13 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from rlswaim import checks
 from rlswaim.dual import final_design
-from rlswaim.evidence.matching import printed
 from rlswaim.evidence.section_4 import CLOSED_LOOPS, K_C
-from rlswaim.ledger import half_unit
 from rlswaim.loops import as_text
 from rlswaim.perturbation import COEFFICIENTS, PerturbationEquations
 from rlswaim.systems import dual_actuation, rate_attitude
-from rlswaim.tables import constants, read_table
+from rlswaim.tables import constants, half_unit, printed, read_table
 
 Reduce = Callable[[NDArray, list[str]], NDArray]
 
@@ -86,6 +85,7 @@ def family(
     reduce : callable
         From state matrices and names of the states to those wanted: `without` or `zeros_of_theta`.
     """
+    checks.instance("eqs", eqs, PerturbationEquations, "family")
     values = np.array([eqs.coefficients[name] for name in COEFFICIENTS])
     start = build(eqs)
     effects = []

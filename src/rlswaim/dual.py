@@ -12,12 +12,12 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim import checks
+from rlswaim import checks, loops
 from rlswaim.locus import RootLocus, root_locus
 from rlswaim.loops import from_factors, transfer
 from rlswaim.perturbation import JET_STATION, OUTPUTS, ROWS, PerturbationEquations
 from rlswaim.polynomials import determinant, roots
-from rlswaim.tables import column, constants, printed_rows
+from rlswaim.tables import column, constants, printed
 
 ARMS = {"Z": 1.0, "M": 1.0, "F1": -1.0, "F2": -1.0}
 """Sign of the jet's force in each equation; M has the arm l_r - l_CG, F_i has phi_i(r) [Eq. 125]."""
@@ -31,6 +31,16 @@ class JetLoop(NamedTuple):
     sensor: float
     jet: float = JET_STATION
 
+    @property
+    def valve(self) -> NDArray:
+        """The valve's s + K_r; ValueError if K_r is not finite."""
+        return np.array([checks.real("K_r", self.K_r, "JetLoop"), 1.0])
+
+    @property
+    def reading(self) -> NDArray:
+        """The sensor's s + b; ValueError if b is not finite."""
+        return np.array([checks.real("b", self.b, "JetLoop"), 1.0])
+
 
 def final_design() -> tuple[JetLoop, float]:
     """Return the jet's loop of Figures 24 and 25 and its gain k K_z (lb s/ft)."""
@@ -40,8 +50,7 @@ def final_design() -> tuple[JetLoop, float]:
 
 def elastic_numerator(eqs: PerturbationEquations, signal: str, loop: JetLoop) -> NDArray:
     """Return phi_1(z) N_q1 + phi_2(z) N_q2 for ``signal`` delta or delta_r, shape (8,) [Eqs. 133, 134]."""
-    phi = [mode.deflection(loop.sensor) for mode in eqs.modes]
-    return phi[0] * eqs.numerator("q1", signal, loop.jet) + phi[1] * eqs.numerator("q2", signal, loop.jet)
+    return loops.elastic_numerator(eqs, loop.sensor, signal, loop.jet)
 
 
 def coupling_numerator(eqs: PerturbationEquations, first: str, second: str, jet: float) -> NDArray:
@@ -110,14 +119,15 @@ def direct_response(eqs: PerturbationEquations, sensor: NDArray, jet: NDArray) -
 
 def closure_1(eqs: PerturbationEquations, loop: JetLoop) -> control.TransferFunction:
     """Return closure 1's open loop for k K_z = 1 [Eq. 133]."""
-    top = -loop.K_r * npp.polymul([loop.b, 1.0], elastic_numerator(eqs, "delta_r", loop)[:6])
-    return transfer(top, npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()))
+    top = -loop.K_r * npp.polymul(loop.reading, elastic_numerator(eqs, "delta_r", loop)[:6])
+    return transfer(top, npp.polymul(loop.valve, eqs.characteristic_polynomial()))
 
 
 def closed_1(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> NDArray:
     """Return the characteristic polynomial of closure 1, shape (9,) [Eq. 133]."""
-    moved = npp.polymul([loop.b, 1.0], elastic_numerator(eqs, "delta_r", loop)[:6])
-    return npp.polysub(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()), kK_z * loop.K_r * moved)
+    moved = npp.polymul(loop.reading, elastic_numerator(eqs, "delta_r", loop)[:6])
+    gain = checks.real("kK_z", kK_z, "closed_1") * loop.K_r
+    return npp.polysub(npp.polymul(loop.valve, eqs.characteristic_polynomial()), gain * moved)
 
 
 def jet_numerator(eqs: PerturbationEquations, loop: JetLoop, as_printed: bool = False) -> NDArray:
@@ -132,7 +142,7 @@ def closure_2(
 ) -> control.TransferFunction:
     """Return closure 2's open loop [Eq. 134], with Eq. 135's numerator ``as_printed`` or as it should be."""
     top = npp.polymul(jet_numerator(eqs, loop, as_printed), elastic_numerator(eqs, "delta", loop)[:6])
-    top = kK_z * loop.K_r * npp.polymul([loop.b, 1.0], top)
+    top = checks.real("kK_z", kK_z, "closure_2") * loop.K_r * npp.polymul(loop.reading, top)
     bottom = npp.polymul(eqs.numerator("theta", "delta")[:6], closed_1(eqs, loop, kK_z))
     return transfer(np.where(np.abs(top) > 1e-12 * np.abs(top).max(), top, 0.0), bottom)
 
@@ -143,8 +153,9 @@ def theta_numerator(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> N
     coupled = [
         p * coupling_numerator(eqs, "theta", q, loop.jet) for p, q in zip(phi, ("q1", "q2"), strict=True)
     ]
-    own = npp.polymul([loop.K_r, 1.0], eqs.numerator("theta", "delta")[:6])
-    return npp.polysub(own, kK_z * loop.K_r * npp.polymul([loop.b, 1.0], coupled[0] + coupled[1]))
+    own = npp.polymul(loop.valve, eqs.numerator("theta", "delta")[:6])
+    gain = checks.real("kK_z", kK_z, "theta_numerator") * loop.K_r
+    return npp.polysub(own, gain * npp.polymul(loop.reading, coupled[0] + coupled[1]))
 
 
 def closure_3(
@@ -161,15 +172,9 @@ def listed(values: Iterable[complex], digits: int = 3) -> str:
     return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)
 
 
-def printed(start: str) -> dict[str, float]:
-    """Return the printed numbers of Section VII whose ids start so, by the rest of the id."""
-    rows = printed_rows("VII")
-    return {r["id"].removeprefix(start): float(r["printed"]) for r in rows if r["id"].startswith(start)}
-
-
 def printed_factors(start: str) -> list[complex]:
     """Return printed roots (1/s): ids ``<start>r1`` real, ``<start>c1-re`` and ``<start>c1-im`` complex."""
-    number = printed(start)
+    number = printed("VII", start)
     real = [complex(value) for name, value in number.items() if name[0] == "r"]
     pairs = [
         complex(v, number[name.replace("-re", "-im")]) for name, v in number.items() if name.endswith("-re")
@@ -180,13 +185,13 @@ def printed_factors(start: str) -> list[complex]:
 def printed_closure_2() -> control.TransferFunction:
     """Return Eq. 136 from its printed factors."""
     zeros, poles = printed_factors("eq136-zero-"), printed_factors("eq136-pole-")
-    return from_factors(printed("eq136-")["gain"], [*zeros, 0.0, 0.0], [*poles, 0.0])
+    return from_factors(printed("VII", "eq136-")["gain"], [*zeros, 0.0, 0.0], [*poles, 0.0])
 
 
 def printed_closure_3(K_C: float, K_R: float) -> control.TransferFunction:
     """Return Eq. 137 from its printed factors, for K_A = 1."""
     zeros, poles = printed_factors("eq137-zero-"), printed_factors("eq137-pole-")
-    gain = printed("eq137-")["gain"] * K_C * K_R
+    gain = printed("VII", "eq137-")["gain"] * K_C * K_R
     return from_factors(gain, [*zeros, 0.0, -1 / K_R], [*poles, -K_C, 0.0, 0.0])
 
 
@@ -197,9 +202,10 @@ def fitted_deflections(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -
     """
     p = printed_factors("text-closure1-")
     wanted = npp.polyfromroots([0.0, *p, *(z.conjugate() for z in p if z.imag)]).real[1:7]
-    base = npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial())[1:7]
+    base = npp.polymul(loop.valve, eqs.characteristic_polynomial())[1:7]
     numerators = [eqs.numerator(q, "delta_r", loop.jet)[:6] for q in ("q1", "q2")]
-    effect = [-kK_z * loop.K_r * npp.polymul([loop.b, 1.0], n)[1:7] / wanted for n in numerators]
+    gain = -checks.real("kK_z", kK_z, "fitted_deflections") * loop.K_r
+    effect = [gain * npp.polymul(loop.reading, n)[1:7] / wanted for n in numerators]
     phi = np.linalg.lstsq(np.array(effect).T, (wanted - base) / wanted, rcond=None)[0]
     return float(phi[0]), float(phi[1])
 
@@ -214,6 +220,12 @@ def with_reading(
         points = np.insert(mode.stations, at, station), np.insert(mode.deflections, at, value)
         modes.append(replace(mode, stations=points[0], deflections=points[1]))
     return replace(eqs, modes=(modes[0], modes[1]))
+
+
+def elastic_poles(eqs: PerturbationEquations) -> list[complex]:
+    """Return the pole above the real axis (1/s) of each bending mode, the first mode's first."""
+    poles = roots(eqs.characteristic_polynomial())
+    return sorted(poles[poles.imag > 1e-6], key=abs)
 
 
 class Stiffening(NamedTuple):
@@ -238,17 +250,26 @@ class Stiffening(NamedTuple):
 VERDICTS = ("no", "higher at the end", "rises throughout")
 
 
+def table_3_pairs() -> tuple[tuple[int, float, float], ...]:
+    """Return the cases of Table 3: number, station of the sensor, station of the jet (ft)."""
+    columns = (column("table3", name) for name in ("case", "sensor_ft", "jet_ft"))
+    return tuple((int(case), sensor, jet) for case, sensor, jet in zip(*columns, strict=True))
+
+
 def table_3(eqs: PerturbationEquations, points: int = 600) -> tuple[Stiffening, ...]:
     """Return `Stiffening` for each of Table 3's pairs, with ``points`` gains up to that of Figure 24."""
-    cases = zip(*(column("table3", name) for name in ("case", "sensor_ft", "jet_ft")), strict=True)
     design, largest = final_design()
     gains = gains_to(largest, points)
-    return tuple(stiffening(eqs, int(c), design._replace(sensor=z, jet=r), gains) for c, z, r in cases)
+    return tuple(
+        stiffening(eqs, case, design._replace(sensor=sensor, jet=jet), gains)
+        for case, sensor, jet in table_3_pairs()
+    )
 
 
 def gains_to(largest: float, points: int) -> NDArray:
     """Return 0 and so many ``points`` up to the size of the ``largest`` gain, evenly in the logarithm."""
-    return np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * abs(largest)])
+    size = abs(checks.real("largest", largest, "gains_to"))
+    return np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * size])
 
 
 def stiffening(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) -> Stiffening:
@@ -261,8 +282,7 @@ def stiffening(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDAr
 def _stiffening(
     eqs: PerturbationEquations, case: int, loop: JetLoop, sign: int, locus: RootLocus
 ) -> Stiffening:
-    open_poles = roots(eqs.characteristic_polynomial())
-    elastic = sorted(open_poles[open_poles.imag > 1e-6], key=abs)
+    elastic = elastic_poles(eqs)
     way = locus.roots[:, [int(np.argmin(np.abs(locus.roots[0] - pole))) for pole in elastic]]
     factors = np.abs(way) / np.abs(way[0])
     good = ((factors >= 1 - 1e-6) & (way.imag > 1e-6)).all(axis=1)

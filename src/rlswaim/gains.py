@@ -43,6 +43,8 @@ def gain_terms(
         Polynomials, constant term first, that multiply 1, K_C, K_A K_C, K_A K_C K_R and
         K_C K_z of each sensor (``"K_C K_z at <station>"``).
     """
+    checks.instance("eqs", eqs, PerturbationEquations, "gain_terms")
+    sensors = [checks.station("sensor", x, "gain_terms") for x in sensors]
     delta, attitude = eqs.characteristic_polynomial(), attitude_numerator(eqs, gyro)
     terms = {
         "1": npp.polymulx(delta),
@@ -76,10 +78,9 @@ def gains_for_pole(
     Raises
     ------
     ValueError
-        If the pole is real: then one gain remains free.
+        If the pole is real: then one gain remains free; or if a number is not finite.
     """
-    if not np.imag(pole):
-        raise ValueError(f"pole in gains_for_pole: got {pole}, wanted one off the real axis")
+    pole, K_C = checks.off_axis("pole", pole, "gains_for_pole"), checks.real("K_C", K_C, "gains_for_pole")
     terms = {name: npp.polyval(pole, p) for name, p in gain_terms(eqs, gyro).items()}
     # K_A (1 + K_R s) = -(Delta (s + K_C)) / (K_C N) at the pole
     wanted = -(terms["1"] + K_C * terms["K_C"]) / (K_C * terms["K_A K_C"])
@@ -124,9 +125,7 @@ def stability_certificate(
     By duality the largest t with ``free + terms @ gains >= t`` is the least ``weights @ free``
     over weights of sum 1 with ``weights @ terms = 0``.
     """
-    free, *terms = (
-        p[:8] for p in gain_terms(eqs, gyro, [checks.station("sensor", x) for x in sensors]).values()
-    )
+    free, *terms = (p[:8] for p in gain_terms(eqs, gyro, sensors).values())
     balance = np.vstack([*terms, np.ones(8)])
     found = linprog(free, A_eq=balance, b_eq=np.r_[np.zeros(len(terms)), 1.0], bounds=(0, None))
     if found.x is None:  # no weights cancel the gains, so that they make t as large as they like
@@ -160,10 +159,8 @@ def slow_root_certificate(
     q_(k-1) by at most slow q_k, and a stable q has positive coefficients.  The program seeks
     gains and a q without a negative coefficient, and returns the least excess over these bounds.
     """
-    free, *terms = (
-        p[:8] for p in gain_terms(eqs, gyro, [checks.station("sensor", x) for x in sensors]).values()
-    )
-    shifted, own = np.eye(8, 8, -1), slow * np.eye(8)
+    free, *terms = (p[:8] for p in gain_terms(eqs, gyro, sensors).values())
+    shifted, own = np.eye(8, 8, -1), checks.not_negative("slow", slow, "slow_root_certificate") * np.eye(8)
     # The unknowns are the gains, q_0 to q_7 (which is 1, as p is monic) and the excess.
     moved, excess = np.array(terms).T, np.ones((8, 1))
     sides = [[moved, -shifted - own, -excess], [-moved, shifted - own, -excess]]

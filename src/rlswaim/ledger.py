@@ -14,7 +14,7 @@ import pandas as pd
 
 from rlswaim import evidence
 from rlswaim.evidence import causes
-from rlswaim.tables import printed_rows
+from rlswaim.tables import half_unit, printed_rows
 
 VERDICTS = (
     "agrees",
@@ -26,19 +26,6 @@ VERDICTS = (
     "carried over from a slip",
     "not reproducible",
 )
-
-
-def half_unit(printed: str) -> float:
-    """Return half a unit in the last printed digit of a number given as text.
-
-    Examples
-    --------
-    >>> half_unit("1.310"), half_unit(".0387"), half_unit("15.297e8")
-    (0.0005, 5e-05, 50000.0)
-    """
-    mantissa, _, exponent = printed.lower().replace(",", "").partition("e")
-    decimals = len(mantissa.partition(".")[2])
-    return 0.5 * 10.0 ** (int(exponent or 0) - decimals)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from scipy.optimize import linear_sum_assignment
 
 from rlswaim import checks
 from rlswaim.locus import RootLocus, root_locus
-from rlswaim.perturbation import PerturbationEquations
+from rlswaim.perturbation import JET_STATION, PerturbationEquations
 from rlswaim.polynomials import roots, trimmed
 
 Closed = Sequence[tuple[float, float]]
@@ -25,7 +25,11 @@ Closed = Sequence[tuple[float, float]]
 
 def transfer(numerator: ArrayLike, denominator: ArrayLike) -> control.TransferFunction:
     """Return ``numerator`` over ``denominator``, two polynomials given constant term first."""
-    return control.tf(trimmed(numerator)[::-1], trimmed(denominator)[::-1])
+    top, bottom = (
+        checks.frozen_array(name, p, "transfer")
+        for name, p in (("numerator", numerator), ("denominator", denominator))
+    )
+    return control.tf(trimmed(top)[::-1], trimmed(bottom)[::-1])
 
 
 def from_factors(gain: float, zeros: Sequence[complex], poles: Sequence[complex]) -> control.TransferFunction:
@@ -70,6 +74,12 @@ def as_latex(loop: control.TransferFunction, digits: int = 4) -> str:
     return rf"\frac{{{sign}{number(gain)}\,{''.join(map(factor, zeros))}}}{{{''.join(map(factor, poles))}}}"
 
 
+def closed_polynomial(loop: control.TransferFunction, gain: float = 1.0) -> NDArray:
+    """Return denominator plus ``gain`` times numerator of a ``loop``, constant term first."""
+    gain = checks.real("gain", gain, "closed_polynomial")
+    return npp.polyadd(gain * loop.num[0][0][::-1], loop.den[0][0][::-1])
+
+
 def attitude_numerator(eqs: PerturbationEquations, gyro: float | None, order: int = 4) -> NDArray:
     """Return the numerator of theta_i/delta, what a gyro reads [Eqs. 85-89].
 
@@ -94,10 +104,12 @@ def attitude_numerator(eqs: PerturbationEquations, gyro: float | None, order: in
     return numerator
 
 
-def _elastic_numerator(eqs: PerturbationEquations, sensor: float) -> NDArray:
-    """Return phi_1 N_q1 + phi_2 N_q2 [Eq. 119], shape (8,)."""
-    phi = np.array([mode.deflection(sensor) for mode in eqs.modes])
-    return phi @ [eqs.numerator(q, "delta") for q in ("q1", "q2")]
+def elastic_numerator(
+    eqs: PerturbationEquations, sensor: float, signal: str = "delta", jet: float = JET_STATION
+) -> NDArray:
+    """Return phi_1 N_q1 + phi_2 N_q2 at ``sensor``, for ``signal`` delta or delta_r; shape (8,) [Eq. 119]."""
+    phi = [mode.deflection(sensor) for mode in eqs.modes]
+    return phi[0] * eqs.numerator("q1", signal, jet) + phi[1] * eqs.numerator("q2", signal, jet)
 
 
 def displacement_numerator(eqs: PerturbationEquations, sensor: float, b: float = 1.0) -> NDArray:
@@ -116,7 +128,7 @@ def displacement_numerator(eqs: PerturbationEquations, sensor: float, b: float =
     ndarray, shape (9,)
         Constant term first.
     """
-    return -np.convolve([b, 1.0], _elastic_numerator(eqs, sensor))
+    return -np.convolve([checks.real("b", b, "displacement_numerator"), 1.0], elastic_numerator(eqs, sensor))
 
 
 def denominator(eqs: PerturbationEquations, K_C: float, closed: Closed = (), order: int = 4) -> NDArray:
@@ -204,12 +216,12 @@ def inner_loop(
 
 def sensor_zeros(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
     """Return the zeros (1/s) of Eq. 119 but the origin, from ``eqs`` at ``stations`` (ft); shape (K, 4)."""
-    return np.array([roots(_elastic_numerator(eqs, x)[1:]) for x in checks.stations("stations", stations)])
+    return np.array([roots(elastic_numerator(eqs, x)[1:]) for x in checks.stations("stations", stations)])
 
 
 def open_loop_parts(eqs: PerturbationEquations, K_C: float) -> dict[str, NDArray]:
     """Return the open loop's poles (1/s) by origin: rigid body, modes of ``eqs``, actuator (K_C in 1/s)."""
-    poles = roots(eqs.characteristic_polynomial())
+    poles, K_C = roots(eqs.characteristic_polynomial()), checks.real("K_C", K_C, "open_loop_parts")
     size = np.sort(np.abs(poles[poles.imag > 0]))
     pair = [poles[(poles.imag != 0) & np.isclose(np.abs(poles), s)] for s in size]
     real = poles[poles.imag == 0]

@@ -14,10 +14,12 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
+from rlswaim import checks
 from rlswaim.dual import (
     VERDICTS,
     JetLoop,
     Stiffening,
+    elastic_poles,
     final_design,
     gains_to,
     literal_bracket,
@@ -25,7 +27,6 @@ from rlswaim.dual import (
     with_reading,
 )
 from rlswaim.perturbation import PerturbationEquations
-from rlswaim.polynomials import roots
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 """Corners of the box of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
@@ -75,13 +76,13 @@ def starting_rates(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> N
     ndarray, shape (K, 2)
         In ft/(lb s^2); a mode whose rate has the sign of the gain is stiffened at first.
     """
+    phi = checks.frozen_array("phi", phi, "starting_rates", shape=(len(phi), 4))
     fixed = np.tile([1.0, loop.jet - eqs.l_CG], (len(phi), 1))
     weights = np.hstack([fixed, phi[:, 2:]])
     braces = np.einsum("nij,ki,kj->nk", literal_bracket(eqs), phi[:, :2], weights)
-    delta = eqs.characteristic_polynomial()
-    slope, poles = npp.polyder(npp.polymul([loop.K_r, 1.0], delta)), roots(delta)
+    slope = npp.polyder(npp.polymul(loop.valve, eqs.characteristic_polynomial()))
     found = []
-    for s in sorted(poles[poles.imag > 1e-6], key=abs):
+    for s in elastic_poles(eqs):
         numerator = loop.K_r * (loop.b + s) * s * npp.polyval(s, braces) / (1000 * eqs.U)
         found.append((np.conj(s) * numerator / npp.polyval(s, slope)).real / abs(s))
     return np.array(found).T
@@ -127,6 +128,8 @@ def readings(
     -------
     tuple of Readings
     """
+    within = checks.not_negative("within", within, "readings")
+    least = checks.not_negative("least", least, "readings")
     inside = np.random.default_rng(seed).uniform(-1, 1, (samples, 4))
     offsets = np.vstack([CORNERS, inside])
     design, largest = final_design()

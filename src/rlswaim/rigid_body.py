@@ -16,6 +16,9 @@ from rlswaim import checks
 from rlswaim.perturbation import PerturbationEquations
 from rlswaim.quantity import quantity
 
+WANTED = complex(-1.0, np.sqrt(3.0))
+"""The short period that the report asks for: 2 rad/s, damping ratio .5 [Section IV]."""
+
 
 @dataclass(frozen=True)
 class RigidBody:

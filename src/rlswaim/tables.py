@@ -36,6 +36,25 @@ def printed_rows(section: str) -> tuple[Row, ...]:
     return tuple(row for row in read_table("printed") if row["section"] == section)
 
 
+def printed(section: str, start: str = "") -> dict[str, float]:
+    """Return the printed numbers of one ``section`` whose ids begin with ``start``, by the rest of the id."""
+    rows = (row for row in printed_rows(section) if row["id"].startswith(start))
+    return {row["id"].removeprefix(start): float(row["printed"].replace(",", "")) for row in rows}
+
+
+def half_unit(number: str) -> float:
+    """Return half a unit in the last printed digit of a ``number`` given as text.
+
+    Examples
+    --------
+    >>> half_unit("1.310"), half_unit(".0387"), half_unit("15.297e8")
+    (0.0005, 5e-05, 50000.0)
+    """
+    mantissa, _, exponent = number.lower().replace(",", "").partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return 0.5 * 10.0 ** (int(exponent or 0) - decimals)
+
+
 def constants(name: str) -> dict[str, float]:
     """Return column ``value`` of ``data/<name>.csv`` by column ``symbol``, in each row's unit."""
     return {row["symbol"]: float(row["value"]) for row in read_table(name)}

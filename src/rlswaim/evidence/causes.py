@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 
 from rlswaim import dual
 from rlswaim.evidence import section_7
-from rlswaim.evidence.matching import printed, printed_roots
+from rlswaim.evidence.matching import printed_roots
 from rlswaim.evidence.section_4 import K_C, closed_loop_roots
-from rlswaim.loops import displacement_numerator
+from rlswaim.evidence.section_5 import quartic
+from rlswaim.loops import closed_polynomial, displacement_numerator
 from rlswaim.perturbation import ROWS, PerturbationEquations, printed_equations
 from rlswaim.polynomials import roots
 from rlswaim.rigid_body import RigidBody, rigid_body, rigid_design
-from rlswaim.tables import constants, read_table
+from rlswaim.tables import constants, printed, read_table
 
 READ = {39: (7.15, -2.2), 140: (1.6, 5.4), 300: (-1.25, -1.25)}
 """Deflections of both modes that the report's later numbers ask for, read off Figure 5, by station (ft)."""
@@ -103,7 +104,7 @@ def _eq136_zeros(eqs: PerturbationEquations, loop: dual.JetLoop) -> NDArray:
 
 def printed_bracket() -> NDArray:
     """Return the braces of Eq. 133 as printed, slips and all: shape (5, 2, 4), as `dual.literal_bracket`."""
-    number = dual.printed("eq133-")
+    number = printed("VII", "eq133-")
     bracket = np.zeros((5, 2, 4))
     bracket[4, 0, 2], bracket[4, 1, 3] = -number["s4-1"], -number["s4-2"]
     for power in range(4):
@@ -117,7 +118,7 @@ def printed_closed_1(eqs: PerturbationEquations) -> NDArray:
     loop, kK_z = dual.final_design()
     arms = [1, loop.jet - eqs.l_CG, *READ[140]]
     braces = np.einsum("kij,i,j->k", printed_bracket(), READ[39], arms)
-    top = -dual.printed("eq133-")["scale"] * kK_z * loop.K_r * npp.polymul([loop.b, 1.0], [0.0, *braces])
+    top = -printed("VII", "eq133-")["scale"] * kK_z * loop.K_r * npp.polymul([loop.b, 1.0], [0.0, *braces])
     return npp.polyadd(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()), top)
 
 
@@ -139,7 +140,7 @@ def _counts(loop: dual.JetLoop) -> dict[str, float]:
     poles = np.array(dual.printed_factors("eq137-pole-"))
     real = poles[poles.imag == 0]
     opened = dual.printed_closure_3(*(constants("section_7")[name] for name in ("K_C", "K_R")))
-    closed = roots(npp.polyadd(1e-6 * opened.num[0][0][::-1], opened.den[0][0][::-1]))
+    closed = roots(closed_polynomial(opened, 1e-6))
     return {
         "text-short": float(np.sum(np.abs(real + loop.b) > 0.1)),
         "text-elastic": float(np.sum(poles.imag > 0)),
@@ -162,8 +163,7 @@ def quartic_differences(eqs: PerturbationEquations) -> NDArray:
     """
     rows = []
     for section, start, station in (("V", "eq108-z", 140), ("VI", "eq115-z", 300)):
-        zeros = list(printed_roots(section, start).values())
-        theirs = npp.polyfromroots([*zeros, *np.conj(zeros)]).real
+        theirs = quartic(np.array(list(printed_roots(section, start).values())))
         ours = displacement_numerator(dual.with_reading(eqs, station, READ[station]), station, b=0.0)[2:7]
         rows.append(theirs - ours / ours[-1])
     return np.array(rows)

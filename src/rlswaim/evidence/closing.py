@@ -6,6 +6,7 @@ polynomials, check what they find.
 
 from collections.abc import Callable, Mapping
 from functools import partial
+from inspect import signature
 
 import control
 import numpy as np
@@ -16,6 +17,7 @@ from rlswaim import checks, systems
 from rlswaim.dual import JetLoop, closed_1, theta_numerator
 from rlswaim.gains import gain_terms
 from rlswaim.perturbation import PerturbationEquations
+from rlswaim.rigid_body import WANTED
 
 LOOPS: dict[str, Callable[..., control.StateSpace]] = {
     "rate_attitude": systems.rate_attitude,
@@ -28,8 +30,6 @@ LOOPS: dict[str, Callable[..., control.StateSpace]] = {
 }
 SENSORS = {"K_z": "sensor", "K_za": "sensor_a", "K_zb": "sensor_b"}
 """Gain of each linear sensor that feeds the thrust vector, and the name of its station."""
-WANTED = complex(-1.0, np.sqrt(3.0))
-"""The short period that the report asks for: 2 rad/s, damping ratio .5 [Section IV]."""
 
 
 def _readings(modes: tuple, stations: NDArray, what: str) -> NDArray:
@@ -62,7 +62,9 @@ def state_matrices(eqs: PerturbationEquations, gains: Mapping[str, NDArray]) -> 
     -------
     ndarray, shape (S, 8, 8) or, with a jet, (S, 9, 9)
     """
-    g = {name: np.asarray(v, dtype=float)[:, None] for name, v in gains.items()}
+    if missing := [name for name in ("K_A", "K_C", "K_R") if name not in gains]:
+        raise TypeError(f"gains in state_matrices: got {', '.join(gains)}, wanted {missing[0]} too")
+    g = {name: checks.frozen_array(name, v, "state_matrices")[:, None] for name, v in gains.items()}
     angle = _angle(eqs, gains)
     # A rate is the state after the one it belongs to.
     thrust = -g["K_A"] * (angle + g["K_R"] * np.roll(angle, 1, axis=1))
@@ -97,7 +99,7 @@ def with_pair(
     With x the states that a unit signal at the actuator moves at s = pole, and N x the angle
     read, the loop closes at K_A (1 + K_R s) = -1 / (N x): `rlswaim.gains.gains_for_pole` for all loops.
     """
-    none = np.zeros_like(gains["K_C"])
+    pole, none = checks.off_axis("pole", pole, "with_pair"), np.zeros_like(gains["K_C"])
     A = state_matrices(eqs, {**gains, "K_A": none, "K_R": none})
     push = np.zeros((*A.shape[:2], 1))
     push[:, 7, 0] = gains["K_C"]
@@ -124,12 +126,15 @@ def determinants(eqs: PerturbationEquations, system: str, gains: Mapping[str, fl
     gains : mapping of str to float
         The arguments of its function.
     """
-    g = dict(gains)
+    loop = signature(LOOPS[checks.one_of("system", system, tuple(LOOPS), "determinants")])
+    given = loop.bind(eqs, **gains)
+    given.apply_defaults()
+    g = {n: checks.real(n, value, "determinants") for n, value in given.kwargs.items() if value is not None}
     K_C, x = g["K_C"], g["K_A"] * g["K_C"]
     if "jet" in g:
-        loop = JetLoop(g["K_r"], g["b"], g["sensor"], g["jet"])
-        bottom = npp.polymul([K_C, 1.0], closed_1(eqs, loop, g["kK_z"]))
-        return npp.polyadd(bottom, x * npp.polymul([1.0, g["K_R"]], theta_numerator(eqs, loop, g["kK_z"])))
+        jet = JetLoop(g["K_r"], g["b"], g["sensor"], g["jet"])
+        bottom = npp.polymul([K_C, 1.0], closed_1(eqs, jet, g["kK_z"]))
+        return npp.polyadd(bottom, x * npp.polymul([1.0, g["K_R"]], theta_numerator(eqs, jet, g["kK_z"])))
     inner = {gain: g[station] for gain, station in SENSORS.items() if gain in g}
     free, at_K_C, at_x, at_y, *at_z = gain_terms(eqs, g.get("gyro"), list(inner.values())).values()
     return (

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from decimal import Decimal
 from typing import NamedTuple
 
 import control
@@ -10,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_continuous_lyapunov
 
+from rlswaim import checks
 from rlswaim.evidence import closing
-from rlswaim.evidence.search import search, slow_bound
+from rlswaim.evidence.search import abscissas, search, slow_bound, slow_roots
 from rlswaim.gains import slow_root_certificate
 from rlswaim.perturbation import PerturbationEquations, perturbation_equations
 from rlswaim.polynomials import roots
-from rlswaim.rigid_body import rigid_body, rigid_design
-from rlswaim.tables import constants, read_table
+from rlswaim.rigid_body import WANTED, rigid_body, rigid_design
+from rlswaim.tables import constants, half_unit, read_table
 from rlswaim.vehicle import Booster
 
 
@@ -29,15 +29,15 @@ class Margin(NamedTuple):
 
 def margin(poles: NDArray) -> Margin:
     """Return how stable a closed loop is, a slow real root set apart; poles in 1/s, shape (n,)."""
-    at = int(np.argmin(np.abs(poles)))
-    if abs(poles[at].imag) > 0 or abs(poles[at]) > slow_bound():
-        return Margin(float(poles.real.max()), float("nan"))
-    return Margin(float(np.delete(poles, at).real.max()), float(poles[at].real))
+    one = np.asarray(poles)[None]
+    return Margin(float(abscissas(one, apart=True)[0]), float(slow_roots(one)[0]))
 
 
 def found_gains(system: str) -> dict[str, float]:
     """Return the gains and stations of a ``system`` (``dual_actuation``) that were found by hand."""
-    return {r["parameter"]: float(r["value"]) for r in read_table("gains_found") if r["system"] == system}
+    rows = read_table("gains_found")
+    checks.one_of("system", system, {r["system"] for r in rows}, "found_gains")
+    return {r["parameter"]: float(r["value"]) for r in rows if r["system"] == system}
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
@@ -65,9 +65,9 @@ def constant_term(eqs: PerturbationEquations) -> tuple[float, float]:
     here = eqs.numerator("theta", "delta")[0]
     total = 0.0
     for row in read_table("equations_as_printed"):
-        name, half = row["symbol"], 0.5 * 10.0 ** int(Decimal(row["value"]).as_tuple().exponent)
+        name = row["symbol"]
         if name in eqs.coefficients:
-            moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half}
+            moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half_unit(row["value"])}
             total += abs(replace(eqs, coefficients=moved).numerator("theta", "delta")[0] - here)
     return float(here), float(total)
 
@@ -170,7 +170,7 @@ def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
     """
     stiff = stiffened(booster, factor)
     eqs = perturbation_equations(stiff)
-    design = rigid_design(rigid_body(eqs), omega=abs(closing.WANTED), zeta=0.5, K_C=10)
+    design = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=0.5, K_C=10)
     chosen = found_gains("dual_actuation") | {"kK_z": kK_z, "K_A": design.K_A, "K_R": design.K_R}
     loop = closing.closed_loop(eqs, "dual_actuation", chosen)
     gust = loop.B[:, [loop.input_labels.index("alpha_g")]]
@@ -197,6 +197,7 @@ def with_longitudinal(eqs: PerturbationEquations, alpha_0: float) -> float:
     alpha_0 by 2 u/U of itself, which is the column of alpha times 2 alpha_0 u/U.
     """
     A = np.pad(eqs.state_space().A, ((0, 1), (0, 1)))
+    alpha_0 = checks.real("alpha_0", alpha_0, "with_longitudinal")
     A[:7, 7] = 2 * alpha_0 / eqs.U * A[:7, 0]
     A[7, 1], A[7, 2] = -constants("vehicle")["g"], -eqs.U * alpha_0
     return float(np.linalg.eigvals(A).real.max())

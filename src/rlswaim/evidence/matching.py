@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim.perturbation import PerturbationEquations
-from rlswaim.tables import printed_rows
+from rlswaim.tables import printed
 
 KINDS = {
     "root": lambda s: s.real,
@@ -23,11 +23,6 @@ KINDS = {
     "omega": abs,
     "zeta": lambda s: -s.real / abs(s),
 }
-
-
-def printed(section: str) -> dict[str, float]:
-    """Return the printed numbers of one ``section`` by id."""
-    return {row["id"]: float(row["printed"].replace(",", "")) for row in printed_rows(section)}
 
 
 def as_written(eqs: PerturbationEquations, *starts: str) -> dict[str, float]:

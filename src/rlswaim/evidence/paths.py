@@ -9,11 +9,11 @@ import numpy as np
 
 from rlswaim import dual
 from rlswaim.coupling import partition
-from rlswaim.evidence.matching import printed
 from rlswaim.evidence.section_4 import K_C
 from rlswaim.loops import transfer
 from rlswaim.perturbation import PerturbationEquations
 from rlswaim.rigid_body import RigidBody, rigid_body
+from rlswaim.tables import printed
 
 Paths = dict[str, control.TransferFunction]
 

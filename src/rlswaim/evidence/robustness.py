@@ -9,8 +9,9 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 
+from rlswaim import checks
 from rlswaim.evidence.closing import state_matrices
-from rlswaim.evidence.search import abscissas, slow_bound
+from rlswaim.evidence.search import abscissas, slow_roots
 from rlswaim.perturbation import PerturbationEquations, perturbation_equations
 from rlswaim.vehicle import Booster
 
@@ -99,9 +100,10 @@ def margins(eqs: PerturbationEquations, gains: Mapping[str, float], actuator: st
     Raises
     ------
     ValueError
-        If the loop is not stable as it is.
+        If the loop is not stable as it is, or the actuator is unknown.
     """
-    A, at = _matrix(eqs, gains), ACTUATORS[actuator]
+    at = ACTUATORS[checks.one_of("actuator", actuator, tuple(ACTUATORS), "margins")]
+    A = _matrix(eqs, gains)
     if (worst := np.linalg.eigvals(A).real.max()) >= 0:
         raise ValueError(f"gains in margins: got a loop with a root at {worst:.3g} 1/s, wanted a stable one")
     scaled = np.repeat(A[None], FACTORS.size, axis=0)
@@ -153,6 +155,5 @@ def borne(eqs: PerturbationEquations, booster: Booster, gains: Mapping[str, floa
 
 def _slow(poles: NDArray) -> str:
     """Return the rightmost of the slow roots of some loops as text."""
-    nearest = np.take_along_axis(poles, np.abs(poles).argmin(axis=1)[:, None], axis=1)
-    slow = nearest[(nearest.imag == 0) & (np.abs(nearest) <= slow_bound())].real
-    return f"{slow.max():+.2g}" if slow.size else "none"
+    slow = slow_roots(poles)
+    return "none" if np.isnan(slow).all() else f"{np.nanmax(slow):+.2g}"

@@ -24,7 +24,7 @@ OBJECTIVES = {
     "pair-all": "all roots, a pair held at 2 rad/s and .5",
     "pair-apart": "all but a slow one, the pair held",
 }
-"""Whose abscissa shall be least; ``pair``: with the K_A and K_R that put a pair at `closing.WANTED`."""
+"""Whose abscissa shall be least; ``pair``: with the K_A and K_R that put a pair at `rigid_body.WANTED`."""
 OUT_OF_BOUNDS = 1e6
 SEEDS, ROUNDS, PEOPLE = range(1964, 1970), 1000, 15
 """Of the long searches: an evolution for each seed; generations; loops in each for each unknown."""
@@ -52,11 +52,15 @@ def bounds(system: str) -> dict[str, dict[str, str]]:
     return {row["parameter"]: row for row in read_table("search_bounds") if row["system"] == system}
 
 
+def slow_roots(poles: NDArray) -> NDArray:
+    """Return the slow real root (1/s) in each row of ``poles`` (S, n), nan where there is none."""
+    nearest = np.take_along_axis(poles, np.abs(poles).argmin(axis=1)[:, None], axis=1)[:, 0]
+    return np.where((nearest.imag == 0) & (np.abs(nearest) <= slow_bound()), nearest.real, np.nan)
+
+
 def abscissas(poles: NDArray, apart: bool) -> NDArray:
     """Return the largest real part (1/s) in each row of ``poles`` (S, n), a slow real one set ``apart``."""
-    at = np.abs(poles).argmin(axis=1)[:, None]
-    nearest = np.take_along_axis(poles, at, axis=1)
-    slow = apart & (nearest.imag == 0) & (np.abs(nearest) <= slow_bound())
+    at, slow = np.abs(poles).argmin(axis=1)[:, None], apart & ~np.isnan(slow_roots(poles))[:, None]
     return np.where(slow & (np.arange(poles.shape[1]) == at), -np.inf, poles.real).max(axis=1)
 
 
@@ -182,13 +186,12 @@ def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
         found.objective.endswith("apart"),
     )
     first, second = (f"{abscissas(p[None], apart)[0]:.4f}" for p in ways)
-    nearest = poles[np.abs(poles).argmin()]
-    slow = nearest.imag == 0 and abs(nearest) <= slow_bound()
+    slow = slow_roots(poles[None])[0]
     return {
         "largest real part (1/s)": first,
         "from determinants (1/s)": second,
-        "slow real root (1/s)": f"{nearest.real:+.2g}" if slow else "none",
-        "its time constant (s)": f"{1 / abs(nearest.real):.0f}" if slow and nearest.real else "",
+        "slow real root (1/s)": "none" if np.isnan(slow) else f"{slow:+.2g}",
+        "its time constant (s)": f"{1 / abs(slow):.0f}" if abs(slow) > 0 else "",
     }
 
 

@@ -3,15 +3,14 @@
 import numpy as np
 
 from rlswaim.modes import generalized_mass, translation_product
-from rlswaim.tables import constants, printed_rows
+from rlswaim.tables import constants, printed
 from rlswaim.trajectory import dynamic_pressure, fly, level_at_burnout, swaim_ascent
 from rlswaim.vehicle import Booster, swaim_booster
 
 
 def printed_sum(start: str) -> float:
     """Return the sum of the printed cells of ``data/printed.csv`` whose ids start so."""
-    rows = [row for row in printed_rows("II") if row["id"].startswith(start)]
-    return sum(float(row["printed"].replace(",", "")) for row in rows)
+    return sum(printed("II", start).values())
 
 
 def _tables(booster: Booster) -> dict[str, float]:

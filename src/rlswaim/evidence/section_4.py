@@ -2,20 +2,17 @@
 
 import numpy as np
 
-from rlswaim.evidence.matching import as_written, printed, roots_beside
+from rlswaim.evidence.matching import as_written, roots_beside
 from rlswaim.gains import gain_terms, gains_for_pole
 from rlswaim.locus import root_locus
 from rlswaim.loops import denominator, factors, theta_loop
 from rlswaim.perturbation import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
-from rlswaim.rigid_body import RigidBody, rigid_body, rigid_design
-from rlswaim.tables import read_table
+from rlswaim.rigid_body import WANTED, RigidBody, rigid_body, rigid_design
+from rlswaim.tables import printed, read_table
 from rlswaim.vehicle import swaim_booster
 
 K_C = 10.0
-WANTED = complex(-1.0, np.sqrt(3.0))
-"""The short period that Section IV asks for: 2 rad/s, damping ratio .5."""
-
 CLOSED_LOOPS = {"77": (60, 3), "78": (60, 4), "79": (400, 3), "80": (400, 4), "81": (304, 3), "82": (304, 4)}
 """Gyro station (ft) and order of the closed loops of Eqs. 77 to 82."""
 

@@ -4,11 +4,13 @@ import control
 import numpy as np
 from numpy.polynomial import polynomial as npp
 
-from rlswaim.evidence.matching import KINDS, printed, printed_roots, roots_beside
-from rlswaim.evidence.section_4 import K_C, WANTED
+from rlswaim.evidence.matching import KINDS, printed_roots, roots_beside
+from rlswaim.evidence.section_4 import K_C
 from rlswaim.locus import root_locus
 from rlswaim.loops import factors, from_factors, inner_loop
 from rlswaim.perturbation import printed_equations
+from rlswaim.rigid_body import WANTED
+from rlswaim.tables import printed
 
 K_R, K_Z, SENSOR = 0.625, 0.054, 140.0
 

@@ -2,12 +2,13 @@
 
 import control
 
-from rlswaim.evidence.matching import printed, printed_roots, roots_beside
+from rlswaim.evidence.matching import printed_roots, roots_beside
 from rlswaim.evidence.section_4 import K_C
 from rlswaim.evidence.section_5 import printed_poles
 from rlswaim.locus import root_locus
 from rlswaim.loops import factors, from_factors, inner_loop
 from rlswaim.perturbation import printed_equations
+from rlswaim.tables import printed
 
 K_ZA, SENSOR_A, SENSOR_B = -0.144, 300.0, 140.0
 

@@ -1,15 +1,15 @@
 """Section VII: the reaction jet, its three closures and Table 3 [Eqs. 120-137]."""
 
 import numpy as np
-from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim import dual
 from rlswaim.evidence.matching import as_written
+from rlswaim.loops import closed_polynomial
 from rlswaim.perturbation import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 from rlswaim.polynomials import roots
-from rlswaim.tables import constants
+from rlswaim.tables import constants, printed
 from rlswaim.vehicle import swaim_booster
 
 
@@ -28,7 +28,7 @@ def paired(start: str, found: NDArray) -> dict[str, float]:
     dict
         Empty places, where roots are fewer than printed, hold nan.
     """
-    number = {name: value for name, value in dual.printed(start).items() if name[0] in "rc"}
+    number = {name: value for name, value in printed("VII", start).items() if name[0] in "rc"}
     names = [name for name in number if not name.endswith("-im")]
     wanted = np.array([complex(number[n], number.get(f"{n.removesuffix('-re')}-im", 0.0)) for n in names])
     found = np.asarray(found)[np.imag(found) >= 0]
@@ -68,7 +68,7 @@ def _closures(eqs: PerturbationEquations) -> dict[str, float]:
     wanted, printed_2 = dual.jet_numerator(eqs, loop), dual.printed_closure_2()
     opened = dual.closure_2(eqs, loop, kK_z, as_printed=True)
     gain = opened.num[0][0][0] / opened.den[0][0][0]
-    closed = roots(npp.polyadd(printed_2.num[0][0][::-1], printed_2.den[0][0][::-1]))
+    closed = roots(closed_polynomial(printed_2))
     before = [dual.printed_factors(start) for start in ("eq135-", "text-closure1-", "text-closure2-")]
     elastic = roots(dual.elastic_numerator(eqs, "delta", loop)[:6])
     theta, delta = roots(eqs.numerator("theta", "delta")), roots(eqs.characteristic_polynomial())
@@ -92,7 +92,7 @@ def _text(eqs: PerturbationEquations) -> dict[str, float]:
     chosen, pairs = constants("section_7"), dual.table_3(eqs)
     poles = roots(dual.closed_1(eqs, loop, kK_z))[1:]
     third = dual.closure_3(eqs, loop, kK_z, chosen["K_C"], chosen["K_R"])
-    closed = roots(npp.polyadd(third.num[0][0][::-1], third.den[0][0][::-1]))
+    closed = roots(closed_polynomial(third))
     pseudo = (poles.imag == 0) & (np.abs(poles + loop.b) > 0.1)  # one real root is the sensor's, near -b
     return {
         "text-pairs": float(len(pairs)),

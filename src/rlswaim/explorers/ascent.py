@@ -7,8 +7,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.explorers.live import LiveView, module, whole_between
-from rlswaim.explorers.widget import Parameter, Value
+from rlswaim import checks
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.parameter import Parameter, Value
+from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.trajectory import Ascent, Trajectory, fly, turn
 from rlswaim.vehicle import FlightCondition
@@ -23,12 +25,26 @@ CURVES = {"U": 1, "h": 0, "q_D": 1}
 """What is sent, and with how many decimals."""
 
 
+def whole_seconds(name: str, value: object, where: str, *, low: int, high: int) -> int:
+    """Return ``value``, for a parameter's ``name`` in a view (``where``), as whole seconds.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If it is not whole, not from ``low`` to ``high``, or no number.
+    """
+    number = checks.real(name, value, where)
+    if number != int(number) or not low <= number <= high:
+        raise ValueError(f"{name} in {where}: got {number:g} s, wanted a whole number from {low} to {high} s")
+    return int(number)
+
+
 def parameters() -> tuple[Parameter, ...]:
     """Return the sliders: whole seconds until which the path is vertical, and at which it is level."""
 
     def slider(name: str, label: str, meaning: str, nodes: Sequence[int]) -> Parameter:
         low, high = nodes[0], nodes[-1]
-        check = partial(whole_between, low=low, high=high, unit="s")
+        check = partial(whole_seconds, low=low, high=high)
         return Parameter(name, label, "s", meaning, tuple(range(low, high + 1)), check)
 
     return (
@@ -92,7 +108,7 @@ class AscentView(LiveView):
     """The ascent under sliders; ``trajectory()`` flies the program that they show."""
 
     system = "trajectory"
-    _esm = module("live", "plot", "ascent")
+    _esm = module("ascent")
 
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
         self._ascent = ascent

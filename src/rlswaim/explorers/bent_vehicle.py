@@ -7,8 +7,9 @@ from math import degrees, radians
 import numpy as np
 
 from rlswaim import trajectory
-from rlswaim.explorers.live import LiveView, module
-from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.parameter import FEET, Parameter, Value
+from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import ROWS, perturbation_equations
 from rlswaim.tables import constants
@@ -81,10 +82,10 @@ class BentVehicle(LiveView):
     """The vehicle of Section I under sliders; ``loads()`` are the sums behind the picture."""
 
     system = "bent-vehicle"
-    _esm = module("live", "plot", "bent_vehicle")
+    _esm = module("bent_vehicle")
 
     def __init__(self, booster: Booster, **values: Value) -> None:
-        self.forces, feet = forces(booster), np.arange(421.0)
+        self.forces, feet = forces(booster), np.array(FEET, float)
         W, gamma_0 = (
             booster.M * constants("vehicle")["g"],
             trajectory.level_at_burnout(trajectory.swaim_ascent()),

@@ -9,8 +9,9 @@ import traitlets
 
 from rlswaim import checks
 from rlswaim.explorers.control_systems import SYSTEMS, payload
+from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.presets import COMPARED
-from rlswaim.explorers.widget import Value, module
+from rlswaim.explorers.scripts import module
 from rlswaim.perturbation import PerturbationEquations
 from rlswaim.tables import script
 

@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike
 
 from rlswaim import checks, systems
 from rlswaim.branches import continuous_branches
-from rlswaim.explorers.multiaffine import Forms, multiaffine_forms, with_shapes
+from rlswaim.explorers.multiaffine import Forms, MultiAffine, multiaffine_forms, with_shapes
+from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.presets import corrected_designs, designs, presets
-from rlswaim.explorers.widget import Explorer, Parameter, Value
+from rlswaim.explorers.widget import Explorer
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import OUTPUTS, STATES, PerturbationEquations, printed_equations
 from rlswaim.vehicle import swaim_booster
@@ -26,12 +27,10 @@ BRANCHES = {
     "actuator": COLORS["actuator"],
 }
 UNITS = {"alpha": "rad", "theta": "rad", "q1": "ft", "q2": "ft", "delta": "rad", "delta_r": "lb"}
-FEET = tuple(range(int(checks.LENGTH) + 1))
 AT_SENSOR = {"phi_1": ("deflection", 0), "phi_2": ("deflection", 1)}
 AT_GYRO = {"sigma_1": ("slope", 0), "sigma_2": ("slope", 1)}
 
 Shapes = Mapping[str, Mapping[str, tuple[str, int]]]
-Magnitudes = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -90,6 +89,18 @@ class ControlSystem:
             lambda **factors: self.at_factors(eqs, **factors), self.groups, self.outputs, OUTPUTS
         )
 
+    def polynomial(self, eqs: PerturbationEquations) -> MultiAffine:
+        """Return the characteristic polynomial alone, as `forms` does."""
+        return multiaffine_forms(lambda **factors: self.at_factors(eqs, **factors), self.groups).polynomial
+
+    def shape_values(self, eqs: PerturbationEquations) -> dict[str, dict[str, Any]]:
+        """Return for each factor of a station the name of that and the values at each foot of the vehicle."""
+        return {
+            factor: {"at": station, "values": _shape_values(eqs, *enters)}
+            for station, entering in self.shapes.items()
+            for factor, enters in entering.items()
+        }
+
     def closed_loop(self, eqs: PerturbationEquations, **values: Any) -> control.StateSpace:
         """Return the closed loop of the library at the sliders' values."""
         if values.pop("feedback", "total") == "rigid body":
@@ -102,9 +113,9 @@ class ControlSystem:
         numbers = [_number(name, *scale, known) for name, scale in self.gains.items()]
         stations = [
             Parameter(
-                name, name.replace("_", " ").capitalize(), "ft", f"station of the {name} (ft)", FEET, _whole
+                at, at.replace("_", " ").capitalize(), "ft", f"station of the {at} (ft)", FEET, whole_station
             )
-            for name in self.shapes
+            for at in self.shapes
         ]
         choice = Parameter("feedback", "Feedback", "", "angle fed back", FEEDBACKS, _feedback)
         return (*numbers, *stations, *([choice] if self.choice else []))
@@ -132,13 +143,6 @@ def _number(name: str, least: float, most: float, signed: bool, known: list[dict
     symbol, unit, meaning = MEANINGS[name]
     grid = np.union1d(rounded, [float(f"{design[name]:.4g}") for design in known])
     return Parameter(name, rf"\({symbol}\)", unit, f"{name}, {meaning}", tuple(grid.tolist()))
-
-
-def _whole(name: str, value: object, where: str) -> int:
-    station = checks.station(name, value, where)
-    if station != int(station):
-        raise ValueError(f"{name} in {where}: got station {station:g} ft, wanted a whole number of feet")
-    return int(station)
 
 
 def _feedback(name: str, value: object, where: str) -> str:
@@ -242,7 +246,7 @@ def _shape_values(eqs: PerturbationEquations, kind: str, mode: int) -> list[floa
 
 
 def payload(system: ControlSystem, eqs: PerturbationEquations, forms: Forms) -> dict[str, Any]:
-    """Return what the browser gets of a control system but where its sliders stand."""
+    """Return what the browser gets of a control system with its ``forms``, but where its sliders stand."""
     jet = {"valve": COLORS["jet"]} if "K_r" in system.actuators else {}
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in system.loci) else {}
     return {
@@ -254,11 +258,7 @@ def payload(system: ControlSystem, eqs: PerturbationEquations, forms: Forms) -> 
             for i, by_output in forms.numerators.items()
         },
         "units": {name: UNITS[name] for name in system.outputs},
-        "shapes": {
-            factor: {"at": station, "values": _shape_values(eqs, *enters)}
-            for station, entering in system.shapes.items()
-            for factor, enters in entering.items()
-        },
+        "shapes": system.shape_values(eqs),
         "choice": {"name": "feedback", "zero": {"total": [], "rigid body": list(AT_GYRO)}}
         if system.choice
         else None,

@@ -15,8 +15,9 @@ from numpy.typing import ArrayLike
 
 from rlswaim import checks
 from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determinant_table
-from rlswaim.explorers.live import LiveView, module, whole_between
-from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
+from rlswaim.explorers.scripts import module
 from rlswaim.figures.style import COLORS
 from rlswaim.modes import BendingMode
 from rlswaim.perturbation import perturbation_equations
@@ -68,7 +69,6 @@ def own_values(booster: Booster) -> dict[str, Value]:
 def parameters(booster: Booster) -> tuple[Parameter, ...]:
     """Return the sliders, and the choice of what runs along the paths."""
     own = own_values(booster)
-    station = partial(whole_between, low=0, high=420, unit="ft")
 
     def grid(name: str, places: ArrayLike) -> tuple[float, ...]:
         return tuple(np.union1d([float(f"{place:.3g}") for place in np.ravel(places)], [own[name]]).tolist())
@@ -100,7 +100,7 @@ def parameters(booster: Booster) -> tuple[Parameter, ...]:
         found.append(Parameter(C, rf"\(C_{{N\alpha {s.name[0]}}}\)", "", meaning, places))
     for s in booster.surfaces:
         where = f"station of the {s.name} (ft)"
-        found.append(Parameter(f"l_{s.name}", rf"\(l_{s.name[0]}\)", "ft", where, tuple(range(421)), station))
+        found.append(Parameter(f"l_{s.name}", rf"\(l_{s.name[0]}\)", "ft", where, FEET, whole_station))
     known = ("coupling", *own)
     check = partial(_one_of, known=known)
     return (*found, Parameter("running", "Paths for", "", "what runs along the paths", known, check))
@@ -139,10 +139,10 @@ class CoupledVehicle(LiveView):
     """The uncontrolled vehicle under sliders; ``vehicle()`` is its state space, ``poles()`` its poles."""
 
     system = "coupling"
-    _esm = module("roots", "locus", "live", "plot", "coupled_vehicle")
+    _esm = module("coupled_vehicle")
 
     def __init__(self, booster: Booster, **values: Value) -> None:
-        self._booster, feet = booster, np.arange(421.0)
+        self._booster, feet = booster, np.array(FEET, float)
         shapes = {"arm": feet - booster.l_CG}
         for i, mode in enumerate(booster.modes, start=1):
             shapes |= {f"phi_{i}": mode.deflection(feet), f"sigma_{i}": mode.slope(feet)}

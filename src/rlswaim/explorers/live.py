@@ -1,76 +1,17 @@
-"""A live view that is no root locus: its sliders, its traits and the scripts that draw it.
+"""What all live views share: sliders, traits that they are joined to, and the scripts that draw.
 
-Like `Explorer` the view holds the parameters, and each slider is joined to it in the browser.
+The view holds the parameters.
 """
 
-import re
 from collections.abc import Mapping, Sequence
-from typing import Any, ClassVar
+from typing import Any
 
 import anywidget
 import ipywidgets as widgets
 import traitlets
 
-from rlswaim import checks
-from rlswaim.explorers.widget import Checked, Parameter, Value
+from rlswaim.explorers.parameter import Checked, Parameter, Value
 from rlswaim.tables import script
-
-
-def module(*sources: str) -> str:
-    """Return the scripts ``sources`` as one, in this order; each but the last in a scope of its own.
-
-    Parameters
-    ----------
-    *sources : str
-        Names of ES modules with imports from each other alone; what the last exports, the whole exports.
-
-    Returns
-    -------
-    str
-    """
-    *parts, view = (_with_imports_bound(script("js", f"{name}.js")) for name in sources)
-    scopes = (_scope(name, text) for name, text in zip(sources, parts, strict=False))
-    return "\n".join([*scopes, view])
-
-
-def _with_imports_bound(text: str) -> str:
-    """Return a script that takes what it imports from the scopes before it."""
-    return re.sub(r"^import (\{[^}]*\}) from '\./(\w+)\.js';$", r"const \1 = $\2;", text, flags=re.MULTILINE)
-
-
-def _scope(name: str, text: str) -> str:
-    """Return a script as an object of what it exports."""
-    exported = ", ".join(re.findall(r"^export (?:function\*?|const|class) (\w+)", text, flags=re.MULTILINE))
-    body = re.sub(r"^export ", "", text, flags=re.MULTILINE)
-    return f"const ${name} = (() => {{\n{body}\nreturn {{ {exported} }};\n}})();"
-
-
-def whole_between(name: str, value: object, where: str, *, low: int, high: int, unit: str) -> int:
-    """Return a whole number in a range.
-
-    Parameters
-    ----------
-    name, where : str
-        For the error's words.
-    value : object
-    low, high : int
-    unit : str
-
-    Returns
-    -------
-    int
-
-    Raises
-    ------
-    ValueError, TypeError
-        If it is not whole, not in the range, or no number.
-    """
-    number = checks.real(name, value, where)
-    if number != int(number) or not low <= number <= high:
-        raise ValueError(
-            f"{name} in {where}: got {number:g} {unit}, wanted a whole number from {low} to {high} {unit}"
-        )
-    return int(number)
 
 
 class LiveView(anywidget.AnyWidget):
@@ -94,7 +35,7 @@ class LiveView(anywidget.AnyWidget):
         If a value is not of its kind, or a parameter is missing or unknown.
     """
 
-    system: ClassVar[str]
+    system: str
     _css = script("explorer.css") + script("live.css")
     payload = traitlets.Dict().tag(sync=True)
 
@@ -114,11 +55,12 @@ class LiveView(anywidget.AnyWidget):
         for p in parameters:
             place = traitlets.Int(p.nearest(start[p.name])).tag(sync=True)
             self.add_traits(**{p.name: Checked(p, start[p.name]).tag(sync=True), f"{p.name}_at": place})
-        sent = {"system": self.system, "initial": start, **payload}
-        sent["parameters"] = [
+        known_to_script = [
             {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
         ]
-        super().__init__(payload=sent)
+        super().__init__(
+            payload={"system": self.system, "parameters": known_to_script, **payload, "initial": start}
+        )
         for p in parameters:
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
         shared = [p for p in parameters if beside is not None and beside.has_trait(p.name)]

@@ -7,11 +7,11 @@ from rlswaim import dual
 from rlswaim.evidence.conclusions import found_gains
 from rlswaim.evidence.matching import printed_roots
 from rlswaim.evidence.search import winners
-from rlswaim.evidence.section_4 import K_C, WANTED
-from rlswaim.explorers.widget import Value
+from rlswaim.evidence.section_4 import K_C
+from rlswaim.explorers.parameter import Value
 from rlswaim.loops import as_text
 from rlswaim.perturbation import PerturbationEquations
-from rlswaim.rigid_body import rigid_body, rigid_design
+from rlswaim.rigid_body import WANTED, rigid_body, rigid_design
 from rlswaim.tables import read_table
 
 CORRECTED = {

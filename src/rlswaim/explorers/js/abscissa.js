@@ -4,8 +4,8 @@ import { refine, roots } from './roots.js';
 
 export const STATIONS = 421;
 export const STEPS = [28, 14, 7, 3, 1];
-const AT_JET = ['', 'arm_r', 'phi_1_r', 'phi_2_r'];
-const AT_SENSOR = ['', 'phi_1_z', 'phi_2_z'];
+const AT_JET = ['', 'arm', 'phi_1r', 'phi_2r'];
+const AT_SENSOR = ['', 'phi_1', 'phi_2'];
 
 // At fixed gains: the polynomial that each pair of shapes multiplies, and the shapes.
 export function planOf({ terms, shapes, pairs }, gains) {
@@ -90,8 +90,8 @@ export function* rows(plan, steps = STEPS) {
       const values = new Float64Array(side);
       if (first) [x, y] = first.map((points) => points.slice());
       for (let n = 0; n < values.length; n++) {
-        const p = plan.values.phi_1_z[n * step];
-        const q = plan.values.phi_2_z[n * step];
+        const p = plan.values.phi_1[n * step];
+        const q = plan.values.phi_2[n * step];
         for (let k = 0; k < 10; k++) c[k] = across[k] + p * across[10 + k] + q * across[20 + k];
         values[n] = cell(c, x, y, first !== null || n > 0);
         if (n === 0) first = [x.slice(), y.slice()];

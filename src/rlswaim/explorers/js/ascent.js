@@ -1,6 +1,8 @@
 // The ascent: straight lines between flights that Python has integrated.
-import { Table, element, initialize, legend, mount, number, plane, set, signed } from './live.js';
+import { element, set } from './dom.js';
+import { Table, legend, mount, number, plane, signed } from './live.js';
 import { Plot } from './plot.js';
+import { initialize } from './sliders.js';
 
 const PANELS = {
   q_D: ['dynamic pressure q', 'D', 'lb/ft²'],

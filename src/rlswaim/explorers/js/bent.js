@@ -1,5 +1,5 @@
 // The vehicle bent in a closed-loop mode, at one phase of its motion or at several.
-import { FONT, multiples, write } from './picture.js';
+import { FONT, multiples, write } from './canvas.js';
 
 const BORDER = { left: 16, right: 16, top: 14, bottom: 24 };
 const BODY = 7; // half the body's width on the picture

@@ -1,6 +1,8 @@
 // The bent vehicle: all forces are sums of the motions by the coefficients that Python sends.
-import { Table, element, initialize, legend, mount, number, plane, set, signed } from './live.js';
+import { element, set } from './dom.js';
+import { Table, legend, mount, number, plane, signed } from './live.js';
 import { Plot } from './plot.js';
+import { initialize } from './sliders.js';
 
 const LOOKS = { thrust: 'actuator', payload: 'rigid', fins: 'rigid' };
 const ROWS = ['Z', 'M', 'F1', 'F2'];

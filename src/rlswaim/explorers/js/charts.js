@@ -1,5 +1,6 @@
 // Responses in time as small pictures side by side: one for each quantity, with axes and units.
-import { FONT, multiples, stepOf, tick, write } from './picture.js';
+import { FONT, multiples, write } from './canvas.js';
+import { stepOf, tick } from './picture.js';
 
 const ROW = 118;
 const CHART = { left: 50, right: 8, top: 18, bottom: 20 };

@@ -1,8 +1,10 @@
 // The vehicle without control: poles from the two tables that Python sends, as the coupling or a slider runs.
 import { trace } from './locus.js';
 import { pairing, roots } from './roots.js';
-import { Table, element, initialize, legend, mount, number, plane, set } from './live.js';
+import { element, set } from './dom.js';
+import { Table, legend, mount, number, plane } from './live.js';
 import { Plot } from './plot.js';
+import { initialize } from './sliders.js';
 
 const MARKS = { 'short period': '^', 'mode 1': 's', 'mode 2': 'd', attitude: 'o' };
 const SIGNS = { 'short period': '▲', 'mode 1': '■', 'mode 2': '◆', attitude: '●' };

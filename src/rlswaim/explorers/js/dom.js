@@ -66,7 +66,8 @@ export function panel(name, title, toggled, ...children) {
   return { node, extra };
 }
 
-function mix(color, share) {
+// A color of the print figures, lightened on a dark page.
+export function mix(color, share) {
   if (!share) return color;
   const parts = color.match(/[0-9a-f]{2}/gi).map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
   return `rgb(${parts.join()})`;

@@ -1,13 +1,5 @@
 // What the live views beside the root loci share: elements, words, colors, and the way from a change to a drawing.
-
-export function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
-  return made;
-}
-
-export const set = (node, text) => node.textContent === text || (node.textContent = text);
+import { element, mix, onThemeChange, set } from './dom.js';
 
 export function number(value, count = 4) {
   if (!Number.isFinite(value)) return '–';
@@ -20,62 +12,17 @@ export function number(value, count = 4) {
 
 export const signed = (value, count) => (value > 0 ? '+' : '') + number(value, count);
 
-// Each parameter and the place of its slider keep each other: a slider that moves sets the value, a value set
-// otherwise moves the slider to the nearest place and stays as it is.
-function nearest({ grid }, value) {
-  const off = grid.map((place) => (typeof place === 'string' ? Number(place !== value) : Math.abs(place - value)));
-  return off.indexOf(Math.min(...off));
-}
-
-export function initialize({ model }) {
-  for (const parameter of model.get('payload').parameters) {
-    const { name, grid } = parameter;
-    const place = `${name}_at`;
-    model.on(`change:${name}`, () => {
-      const at = nearest(parameter, model.get(name));
-      if (at === model.get(place)) return;
-      model.set(place, at);
-      model.save_changes();
-    });
-    model.on(`change:${place}`, () => {
-      const at = model.get(place);
-      if (nearest(parameter, model.get(name)) === at) return;
-      model.set(name, grid[at]);
-      model.save_changes();
-    });
-  }
-}
-
 export function apply(model, values) {
   for (const [name, value] of Object.entries(values)) model.set(name, value);
   model.save_changes();
 }
 
-// A color of the print figures, lightened on a dark page.
-function lifted(color, share) {
-  const parts = color.match(/[0-9a-f]{2}/gi).map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
-  return `rgb(${parts.join()})`;
-}
-
 function themeOf(root, colors) {
   const style = getComputedStyle(root);
   const read = (name) => style.getPropertyValue(`--${name}`).trim();
-  const own = Object.entries(colors).map(([name, color]) => [name, lifted(color, Number(read('lift')))]);
+  const own = Object.entries(colors).map(([name, color]) => [name, mix(color, Number(read('lift')))]);
   const page = ['plane', 'unstable', 'grid', 'axis', 'ink', 'muted', 'bad', 'good'].map((name) => [name, read(name)]);
   return Object.fromEntries([...page, ...own]);
-}
-
-function onThemeChange(act) {
-  const watch = new MutationObserver(act);
-  for (const node of [document.documentElement, document.body]) {
-    watch.observe(node, { attributes: true, attributeFilter: ['data-theme', 'data-mode', 'data-jp-theme-light', 'class'] });
-  }
-  const media = matchMedia('(prefers-color-scheme: dark)');
-  media.addEventListener('change', act);
-  return () => {
-    watch.disconnect();
-    media.removeEventListener('change', act);
-  };
 }
 
 export function plane(kind, caption, attributes = {}) {

@@ -1,8 +1,8 @@
 // The root locus on the page: picture, window, tooltip, and a place for the keyboard on each pole.
+import { contextOf } from './canvas.js';
 import { button, complex, element, number, press, set, symbol } from './dom.js';
 import { handleKeys, handlePointers, nearestOn, nearestPole } from './interact.js';
 import { gainAt, rootLocus } from './locus.js';
-import { contextOf } from './picture.js';
 import { drawLocus } from './planes.js';
 import { cameraOf, fitted, insetOf, windowOf, zoomed } from './window.js';
 

@@ -1,8 +1,8 @@
 // The vehicle in the mode of one closed-loop pole: rigid and bending motion together, moving, with the share of each.
 import { drawBent, STILL } from './bent.js';
+import { contextOf } from './canvas.js';
 import { button, complex, element, number, panel, press, select, set } from './dom.js';
 import { modeShape } from './modes.js';
-import { contextOf } from './picture.js';
 
 const STRAIGHT = { shares: {}, shape: { re: new Float64Array(421), im: new Float64Array(421) } };
 const PERIOD = 2400; // ms of one swing on the page, whatever the mode's own

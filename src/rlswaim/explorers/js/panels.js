@@ -1,10 +1,10 @@
 // The panels below the locus; each draws when it is open and on the screen.
+import { contextOf } from './canvas.js';
 import { drawResponses, heightOf, responseWords } from './charts.js';
 import { DURATIONS, GUSTS } from './desk.js';
 import { element, number, panel, select, set } from './dom.js';
 import { nearestOn } from './interact.js';
 import { poleMapping } from './locus.js';
-import { contextOf } from './picture.js';
 import { drawMap } from './planes.js';
 import { responses } from './response.js';
 import { fitted, windowOf } from './window.js';

@@ -1,10 +1,10 @@
 // Draws the upper half of the s plane: what lies below the real axis mirrors it. On a canvas, or as SVG.
+import { FONT, multiples, polygon, write } from './canvas.js';
 import { number } from './dom.js';
 import { ladder } from './window.js';
 
 const STEPS = [1, 2, 5, 10];
 const DAMPING = [0.8, 0.6, 0.4, 0.2, 0.1];
-export const FONT = '11px system-ui, sans-serif';
 
 // Below the axis by more than rounding.
 const below = (p, i) => p.y[i] < -1e-7 * Math.abs(p.x[i]);
@@ -21,38 +21,6 @@ const MARKS = [
   (g, r) => polygon(g, [0, -1.4 * r, 1.35 * r, -0.4 * r, 0.85 * r, 1.2 * r, -0.85 * r, 1.2 * r, -1.35 * r, -0.4 * r]),
 ];
 export const SIGNS = ['■', '●', '▲', '◆', '▼', '◀', '▶', '⬟'];
-
-function polygon(g, points) {
-  for (let k = 0; k < points.length; k += 2) g[k ? 'lineTo' : 'moveTo'](points[k], points[k + 1]);
-  g.closePath();
-}
-
-// A canvas's context, one unit a CSS pixel.
-export function contextOf(canvas, width, height) {
-  const ratio = globalThis.devicePixelRatio || 1;
-  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-  if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
-  const g = canvas.getContext('2d');
-  g.setTransform(ratio, 0, 0, ratio, 0, 0);
-  return g;
-}
-
-export function write(g, words, x, y, color, align = 'center', halo = undefined) {
-  g.textAlign = align;
-  g.textBaseline = 'middle';
-  if (halo) {
-    g.strokeStyle = halo;
-    g.lineWidth = 3;
-    g.strokeText(words, x, y);
-  }
-  g.fillStyle = color;
-  g.fillText(words, x, y);
-}
-
-export function multiples(step, from, to) {
-  const first = Math.ceil(from / step - 1e-9);
-  return Array.from({ length: Math.max(0, Math.floor(to / step + 1e-9) - first + 1) }, (_, k) => (first + k) * step);
-}
 
 // Round steps for an axis, about `apart` pixels from each other.
 export const stepOf = (range, pixels, apart) => ladder(range / Math.max(2, pixels / apart), STEPS);

@@ -1,4 +1,5 @@
 // A plane with two axes on a canvas. Ranges are [left, right] and [bottom, top] in the quantities' units.
+import { FONT, contextOf, multiples, polygon, write } from './canvas.js';
 
 const PAD = { left: 50, right: 12, top: 10, bottom: 36 };
 
@@ -10,11 +11,8 @@ function stepOf(span, count) {
 
 function ticks([from, to], count) {
   const step = stepOf(to - from, count);
-  const first = Math.ceil(from / step - 1e-9);
-  const last = Math.floor(to / step + 1e-9);
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return Array.from({ length: last - first + 1 }, (_, k) => {
-    const value = (first + k) * step;
+  return multiples(step, from, to).map((value) => {
     const text = Math.abs(value) >= 1e4 ? value.toLocaleString('en') : value.toFixed(decimals);
     return [value, (Number(text) === 0 ? '0' : text).replace('-', '−')];
   });
@@ -22,17 +20,13 @@ function ticks([from, to], count) {
 
 export class Plot {
   constructor(canvas, theme, { x, y, xLabel = '', yLabel = '', bare = false }) {
-    const ratio = globalThis.devicePixelRatio || 1;
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-    const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-    if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
     const pad = bare ? { left: 8, right: 8, top: 8, bottom: 36 } : PAD;
     Object.assign(this, { theme, x, y, xLabel, yLabel, width, height, pad, bare });
     this.sx = (width - pad.left - pad.right) / (x[1] - x[0]);
     this.sy = (height - pad.top - pad.bottom) / (y[1] - y[0]);
-    const g = (this.g = canvas.getContext('2d'));
-    g.setTransform(ratio, 0, 0, ratio, 0, 0);
-    g.font = '11px system-ui, sans-serif';
+    const g = (this.g = contextOf(canvas, width, height));
+    g.font = FONT;
     g.lineJoin = 'round';
     g.clearRect(0, 0, width, height);
   }
@@ -97,16 +91,7 @@ export class Plot {
 
   // Pixels; a halo keeps words legible over lines.
   text(words, x, y, color, align = 'center', halo = true) {
-    const { g, theme } = this;
-    g.textAlign = align;
-    g.textBaseline = 'middle';
-    if (halo) {
-      g.strokeStyle = theme.plane;
-      g.lineWidth = 3;
-      g.strokeText(words, x, y);
-    }
-    g.fillStyle = color;
-    g.fillText(words, x, y);
+    write(this.g, words, x, y, color, align, halo && this.theme.plane);
   }
 
   // From pixel to pixel, with a head at its end.
@@ -122,15 +107,9 @@ export class Plot {
     g.moveTo(x0, y0);
     g.lineTo(x1 - 0.8 * head * ux, y1 - 0.8 * head * uy);
     g.stroke();
-    this.polygon([x1, y1, x1 - head * ux - 0.45 * head * uy, y1 - head * uy + 0.45 * head * ux, x1 - head * ux + 0.45 * head * uy, y1 - head * uy - 0.45 * head * ux]);
-    g.fill();
-  }
-
-  polygon(points) {
-    const { g } = this;
     g.beginPath();
-    for (let k = 0; k < points.length; k += 2) g.lineTo(points[k], points[k + 1]);
-    g.closePath();
+    polygon(g, [x1, y1, x1 - head * ux - 0.45 * head * uy, y1 - head * uy + 0.45 * head * ux, x1 - head * ux + 0.45 * head * uy, y1 - head * uy - 0.45 * head * ux]);
+    g.fill();
   }
 
   // A point by its sign, told apart without color too: 'x', 'o', 's', 'd', '^', '.'.
@@ -155,11 +134,9 @@ export class Plot {
       d: [0, -1.4, 1.4, 0, 0, 1.4, -1.4, 0],
       '^': [0, -1.3, 1.25, 1, -1.25, 1],
     };
-    if (shapes[sign]) this.polygon(shapes[sign].map((v, k) => (k % 2 ? py : px) + size * v));
-    else {
-      g.beginPath();
-      g.arc(px, py, sign === '.' ? 0.5 * size : size, 0, 2 * Math.PI);
-    }
+    g.beginPath();
+    if (shapes[sign]) polygon(g, shapes[sign].map((v, k) => (k % 2 ? py : px) + size * v));
+    else g.arc(px, py, sign === '.' ? 0.5 * size : size, 0, 2 * Math.PI);
     g.lineWidth = 3;
     g.strokeStyle = theme.plane;
     g.stroke();

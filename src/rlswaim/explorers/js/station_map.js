@@ -1,7 +1,9 @@
 // The map over sensor and jet stations: computed beside the page, coarse first, drawn as it comes.
 import { STATIONS, STEPS, abscissaAt, planOf, rootsAt, rows } from './abscissa.js';
-import { Table, apply, element, initialize, legend, mount, number, plane, set, signed } from './live.js';
+import { element, set } from './dom.js';
+import { Table, apply, legend, mount, number, plane, signed } from './live.js';
 import { Plot } from './plot.js';
+import { initialize } from './sliders.js';
 
 const STATIONS_OF = ['sensor', 'jet'];
 const FINE = 0.002; // 1/s: the scale is straight below and logarithmic above
