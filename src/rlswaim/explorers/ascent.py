@@ -8,8 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.explorers.live import LiveView, module, whole_between
+from rlswaim.explorers.still import Drawing
 from rlswaim.explorers.widget import Parameter, Value
 from rlswaim.figures.style import COLORS
+from rlswaim.figures.vehicle import draw_history
 from rlswaim.trajectory import Ascent, Trajectory, fly, turn
 from rlswaim.vehicle import FlightCondition
 
@@ -95,7 +97,7 @@ class AscentView(LiveView):
     _esm = module("live", "plot", "ascent")
 
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
-        self._ascent = ascent
+        self._ascent, self._flight = ascent, flight
         tables = flights(ascent, UPRIGHT, LEVEL)
         middle = flights(ascent, _middles(UPRIGHT), _middles(LEVEL))
         off = {name: float(abs(between_nodes(tables, name) - middle[name]).max()) for name in CURVES}
@@ -122,6 +124,21 @@ class AscentView(LiveView):
             "presets": [{"name": n, "label": label, "values": v} for n, label, v in presets],
         }
         super().__init__(parameters(), payload, {**start, **values})
+
+    def drawings(self) -> list[Drawing]:
+        """Return the dynamic pressure and the altitude of the flight under the sliders."""
+        flown, flight = self.trajectory(), self._flight
+        named = {"q_D": "dynamic pressure $q_D$ (lb/ft²)", "h": "altitude $h$ (ft)"}
+        return [
+            partial(
+                draw_history,
+                times=FINE,
+                curves={"integrated": getattr(flown, name)},
+                quantity=quantity,
+                printed=(flight.t, getattr(flight, name)),
+            )
+            for name, quantity in named.items()
+        ]
 
     def trajectory(self) -> Trajectory:
         """Return the flight under the sliders, integrated, at every tenth of a second up to 100 s."""

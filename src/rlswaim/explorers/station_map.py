@@ -15,9 +15,12 @@ from rlswaim.dual import coupling_numerator, final_design
 from rlswaim.evidence.conclusions import found_gains
 from rlswaim.explorers.live import LiveView, module, whole_between
 from rlswaim.explorers.multiaffine import MultiAffine, Term, with_shapes
+from rlswaim.explorers.still import Drawing
 from rlswaim.explorers.widget import Parameter, Value
+from rlswaim.figures.stations import draw_station_map
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import PerturbationEquations
+from rlswaim.stations import station_map
 from rlswaim.systems import dual_actuation
 from rlswaim.tables import column, constants
 
@@ -149,6 +152,14 @@ class StationMap(LiveView):
             "presets": [{"name": n, "label": "gains and stations", "values": v} for n, v in presets.items()],
         }
         super().__init__(parameters(), payload, {**presets["The pair that works"], **values}, beside)
+
+    def drawings(self) -> list[Drawing]:
+        """Return the map at every tenth foot, with the pair under the sliders."""
+        gains = {name: float(value) for name, value in self.values().items()}
+        sensor, jet = gains.pop("sensor"), gains.pop("jet")
+        feet = np.arange(0.0, 421.0, 10.0)
+        abscissa = station_map(self._eqs, feet, feet, **gains)
+        return [lambda ax: draw_station_map(ax, abscissa).plot(sensor, jet, "k+", ms=12, mew=2)]
 
     def closed_loop(self) -> control.StateSpace:
         """Return the closed loop of the pair and the gains under the sliders."""

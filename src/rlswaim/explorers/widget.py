@@ -15,11 +15,11 @@ import anywidget
 import control
 import ipywidgets as widgets
 import traitlets
+from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from rlswaim import checks
-from rlswaim.explorers.multiaffine import MultiAffine
-from rlswaim.explorers.still import still
+from rlswaim.explorers.still import draw_locus, still
 from rlswaim.tables import script
 
 Value = float | int | str
@@ -152,12 +152,11 @@ class Explorer(anywidget.AnyWidget):
         self,
         system: str,
         parameters: Sequence[Parameter],
-        form: MultiAffine,
         payload: Mapping[str, Any],
         closed_loop: Callable[..., control.StateSpace],
         values: Mapping[str, Value],
     ) -> None:
-        self.system, self.parameters, self._form = system, tuple(parameters), form
+        self.system, self.parameters = system, tuple(parameters)
         self._closed_loop = closed_loop
         wrong = sorted(set(values) ^ {p.name for p in parameters})
         if wrong:
@@ -192,24 +191,16 @@ class Explorer(anywidget.AnyWidget):
         shown = ", ".join(f"{name} = {value}" for name, value in self.values().items())
         return f"{self.system} explorer: {shown}"
 
-    def _factors(self) -> dict[str, Any]:
-        """Return the values of the polynomial's factors: parameters, and shapes at their stations."""
-        values = self.values()
-        shapes = {name: s["values"][int(values[s["at"]])] for name, s in self.payload["shapes"].items()}
-        choice = self.payload["choice"]
-        out = choice["zero"][values[choice["name"]]] if choice else ()
-        known = {**values, **shapes, **dict.fromkeys(out, 0.0)}
-        return {name: known[name] for name in self._form.factors}
+    def draw(self, ax: Axes) -> Axes:
+        """Draw the root locus in the gain that is closed last."""
+        running, values = self.payload["closing"][-1], self.values()
 
-    def still(self) -> str:
-        """Return the root locus in the gain that is closed last, as base64 of a PNG."""
-        running = self.payload["closing"][-1]
-        gain, factors = getattr(self, running), self._factors()
-        D = self._form(**{**factors, running: 0.0})
-        N = self._form(**{**factors, running: -1.0 if gain < 0 else 1.0}) - D
-        return still(D, N, self.poles(), f"poles at {running} = {gain:g}")
+        def loop(gain: float) -> control.StateSpace:
+            return self._closed_loop(**{**values, running: gain})
+
+        return draw_locus(ax, loop, float(values[running]), running)
 
     def _repr_mimebundle_(self, **kwargs: object) -> Any:
         bundle = self.panel._repr_mimebundle_(**kwargs)
-        still = {"image/png": self.still()} if "closing" in self.payload else {}
-        return {**bundle, **still, "text/plain": repr(self)}
+        still_there = {"image/png": still(self.draw)} if "closing" in self.payload else {}
+        return {**bundle, **still_there, "text/plain": repr(self)}
