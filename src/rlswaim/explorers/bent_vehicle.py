@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import partial
 from math import degrees, radians
 
 import numpy as np
@@ -124,7 +123,7 @@ class BentVehicle(LiveView):
         """Return the elastic axis under the sliders."""
         at = {name: float(value) for name, value in self.values().items() if name != "alpha"}
         turned = {name: radians(value) if name in ANGLES else value for name, value in at.items()}
-        return [partial(draw_elastic_axis, booster=self._booster, **turned)]
+        return [lambda ax: draw_elastic_axis(ax, self._booster, **turned)]
 
     def loads(self) -> dict[str, float]:
         """Return the sums under the sliders: F_z (lb), M_y (ft lb), Q_1z and Q_2z (lb) as Z, M, F1, F2."""

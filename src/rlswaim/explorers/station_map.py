@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from functools import partial, reduce
 from itertools import product
+from typing import Any
 
 import control
 import ipywidgets as widgets
@@ -155,7 +156,7 @@ class StationMap(LiveView):
 
     def drawings(self) -> list[Drawing]:
         """Return the map at every tenth foot, with the pair under the sliders."""
-        gains = {name: float(value) for name, value in self.values().items()}
+        gains: dict[str, Any] = {name: float(value) for name, value in self.values().items()}
         sensor, jet = gains.pop("sensor"), gains.pop("jet")
         feet = np.arange(0.0, 421.0, 10.0)
         abscissa = station_map(self._eqs, feet, feet, **gains)
