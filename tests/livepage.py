@@ -11,7 +11,7 @@ import numpy as np
 from playwright.sync_api import Locator, Page
 
 import rlswaim as rl
-from exact import exact_roots, relative_errors
+from exact import exact_roots, paired
 from rlswaim import explorers, trajectory
 from rlswaim.polynomials import characteristic_polynomial
 
@@ -44,14 +44,13 @@ MAKERS: dict[str, Callable[[], Any]] = {
 library = cache(lambda name: MAKERS[name]())
 """The view in Python: its parameters, and what the library computes at their values."""
 
-TABLE = (
-    """table => [...table.tBodies[0].rows].map(row => [...row.cells].map(cell => cell.textContent.trim()))"""
-)
+ROWS = """table => [...table.tBodies[0].rows].map(row =>
+  [[...row.cells].map(cell => cell.textContent.trim()), { ...row.dataset }])"""
 NEXT = """() => { window.drawn = new Promise(done =>
   document.addEventListener('rlswaim:drawn', event => done(event.detail.ms), { once: true })); }"""
 WAIT = "() => Promise.race([window.drawn, new Promise(late => setTimeout(late, 5000))])"
 SHOWN = """panel => [[...panel.querySelectorAll('.widget-hbox input')].map(box => box.value),
-  [...panel.querySelectorAll('.widget-toggle-buttons .mod-active')].map(button => button.textContent.trim())]"""
+  [...panel.querySelectorAll('.widget-toggle-buttons .mod-active')].map(on => on.textContent.trim())]"""
 MOVE = """async (panel, [row, values, table]) => {
   const box = panel.querySelectorAll('.widget-hbox')[row].querySelector('input');
   const found = [];
@@ -59,7 +58,8 @@ MOVE = """async (panel, [row, values, table]) => {
     const drawn = new Promise(done => panel.addEventListener('rlswaim:drawn', done, { once: true }));
     box.value = value;
     for (const kind of ['input', 'change']) box.dispatchEvent(new Event(kind, { bubbles: true }));
-    await Promise.race([drawn, new Promise((_, late) => setTimeout(() => late(`${value}: not drawn`), 5000))]);
+    const late = new Promise((_, stop) => setTimeout(() => stop(`${value}: not drawn`), 5000));
+    await Promise.race([drawn, late]);
     found.push([...panel.querySelector(table).tBodies[0].rows].map(row =>
       [[...row.cells].map(cell => cell.textContent.trim()), { ...row.dataset }]));
   }
@@ -76,7 +76,7 @@ def number(text: str) -> float:
 
 
 def relative_mismatch(found: Sequence[complex], loop: Any) -> float:
-    """Return the largest relative distance of the poles found from a loop's, of which those at 0 count as 1e-9.
+    """Return the largest relative distance of the poles found from a loop's; those below 1e-9 count as that.
 
     The library's eigenvalues are rounded like any; where they differ, its matrix decides, to fifty digits.
     """
@@ -87,7 +87,8 @@ def relative_mismatch(found: Sequence[complex], loop: Any) -> float:
 
 
 def _largest(ours: np.ndarray, wanted: np.ndarray) -> float:
-    return float(relative_errors(ours, np.where(abs(wanted) < 1e-9, 1e-9, wanted)).max())
+    wanted = paired(ours, wanted)
+    return float((abs(ours - wanted) / np.maximum(abs(wanted), 1e-9)).max())
 
 
 class LivePage(NamedTuple):

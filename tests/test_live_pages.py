@@ -77,7 +77,7 @@ def assert_flight(rows, view) -> None:
         assert abs(float(data["value"]) - wanted) <= 0.5 * 10.0 ** -ascent.CURVES[name] * 1.01 + off
         assert number(texts[1]) == pytest.approx(float(data["value"]), rel=1e-3)
         assert number(texts[2]) == pytest.approx(getattr(BOOSTER.flight, name), rel=1e-3)
-    time, size = view.trajectory().peak
+    _, size = view.trajectory().peak
     assert float(rows[3][1]["value"]) == pytest.approx(size, rel=0.02)
 
 
@@ -96,7 +96,7 @@ def assert_rows(name: str, rows, view) -> None:
 def test_each_slider_to_both_ends_by_the_keyboard(fresh):
     for name in fresh.numbers():
         fresh.reset()
-        before = fresh.rows(TABLES[fresh.name])
+        before, start = fresh.rows(TABLES[fresh.name]), fresh.values()
         grid = next(p.grid for p in fresh.view.parameters if p.name == name)
         for end in ("Home", "End"):
             handle = fresh.control(name).locator(".noUi-handle")
@@ -110,7 +110,8 @@ def test_each_slider_to_both_ends_by_the_keyboard(fresh):
             assert getattr(view, name) == grid[0 if end == "Home" else -1]
             rows = fresh.rows(TABLES[fresh.name])
             assert_rows(fresh.name, rows, view)
-            assert rows != before or (fresh.name, name) == ("bent-vehicle", "theta"), name
+            if getattr(view, name) != start[name] and name != "theta":  # the pitch angle turns all forces alike
+                assert rows != before, name
 
 
 @every(*SLID)
@@ -176,8 +177,7 @@ def test_each_preset_sets_its_values(fresh):
         button = fresh.root.get_by_role("button", name=preset["name"], exact=True)
         button.click()
         fresh.page.wait_for_function(
-            "([root, name]) => [...root.querySelectorAll('[aria-pressed=true]')].some(b => b.textContent === name)",
-            arg=[fresh.root.element_handle(), preset["name"]],
+            "button => button.getAttribute('aria-pressed') === 'true'", arg=button.element_handle()
         )
         view = fresh.library_at()
         assert view.values() == {**view.values(), **preset["values"]}
@@ -348,7 +348,8 @@ def test_by_keyboard_alone(fresh):
     fresh.redrawn(lambda: page.keyboard.press("ArrowRight"))
     assert fresh.rows("table.poles") != before
     told = """() => { const a = document.activeElement;
-      return [a.getAttribute('aria-label') ?? a.textContent.trim(), a.tagName, a.matches(':focus-visible')]; }"""
+      const name = a.getAttribute('aria-label') ?? a.textContent.trim();
+      return [name, a.tagName, a.matches(':focus-visible')]; }"""
     reached, seen = [], True
     for _ in range(75):
         page.keyboard.press("Tab")
@@ -394,8 +395,10 @@ def test_fits_the_page_in_both_themes(shown, width, theme):
     shown.panel.screenshot(path=SCREENSHOTS / f"page-{shown.name}-{width}-{theme}.png", animations="disabled")
     wide = page.evaluate("() => document.documentElement.scrollWidth")
     over = shown.panel.evaluate(
-        """panel => [...panel.querySelectorAll('*')].filter(el => el.getClientRects().length && !el.closest('.scroll, pre, .unseen, svg')
-             && el.getBoundingClientRect().right > innerWidth + 1).map(el => `${el.tagName}.${el.className}`)"""
+        """panel => [...panel.querySelectorAll('*')]
+             .filter(el => el.getClientRects().length && !el.closest('.scroll, pre, .unseen, svg'))
+             .filter(el => el.getBoundingClientRect().right > innerWidth + 1)
+             .map(el => `${el.tagName}.${el.className}`)"""
     )
     ground = shown.root.locator("canvas").first.evaluate(
         "c => [...c.getContext('2d').getImageData(c.width - 4, c.height / 2, 1, 1).data]"
