@@ -166,7 +166,7 @@ def live(visit: Callable, name: str, anchor: str = "") -> Iterator[LivePage]:
         root.scroll_into_view_if_needed()
         panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
         yield LivePage(name, page, root, panel)
-        assert (outside, errors) == ([], [])
+        assert (outside, errors) == ([], []), (outside, errors)
 
 
 def poles_of(rows: Sequence[Row]) -> list[complex]:

@@ -244,7 +244,7 @@ export class Workbench {
     const watch = new IntersectionObserver((entries) => this.#noteSeen(entries), { rootMargin: '120px' });
     for (const canvas of this.seen.keys()) watch.observe(canvas);
     const unwatch = onThemeChange(() => {
-      this.theme = undefined;
+      this.theme = themeOf(el, this.system); // at once: the mode that swings doesn't wait for the drawing
       this.schedule();
     });
     const keys = (event) => this.#key(event);
