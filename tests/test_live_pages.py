@@ -96,7 +96,6 @@ def assert_rows(name: str, rows, view) -> None:
 def test_each_slider_to_both_ends_by_the_keyboard(fresh):
     for name in fresh.numbers():
         fresh.reset()
-        before, start = fresh.rows(TABLES[fresh.name]), fresh.values()
         grid = next(p.grid for p in fresh.view.parameters if p.name == name)
         for end in ("Home", "End"):
             handle = fresh.control(name).locator(".noUi-handle")
@@ -108,12 +107,7 @@ def test_each_slider_to_both_ends_by_the_keyboard(fresh):
             assert handle.get_attribute("aria-valuenow") == limit
             view = fresh.library_at()
             assert getattr(view, name) == grid[0 if end == "Home" else -1]
-            rows = fresh.rows(TABLES[fresh.name])
-            assert_rows(fresh.name, rows, view)
-            idle = (
-                {"theta", "K_R"} if not start.get("K_A") else set()
-            )  # turns all forces alike; in an open loop
-            assert rows != before or name in idle or getattr(view, name) == start[name], name
+            assert_rows(fresh.name, fresh.rows(TABLES[fresh.name]), view)
 
 
 @every(*SLID)
@@ -352,7 +346,7 @@ def test_by_keyboard_alone(fresh):
     fresh.redrawn(lambda: page.keyboard.press("ArrowLeft"))
     assert fresh.rows("table.poles") == before
     told = """() => { const a = document.activeElement;
-      const name = a.getAttribute('aria-label') ?? a.textContent.trim();
+      const name = a.getAttribute('aria-label') ?? a.labels?.[0]?.textContent ?? a.textContent.trim();
       return [name, a.tagName, a.matches(':focus-visible')]; }"""
     reached, seen = [], True
     for _ in range(75):
@@ -373,10 +367,10 @@ def test_by_keyboard_alone(fresh):
             break
     assert seen, "the focus cannot be seen"
     order = ["K A", "K C", "K R", "K za", "K zb", "station of the sensor a", "station of the sensor b"]
-    order += ["Figure 19", "Reset", "Locus in", "undo", "Root locus in", "zoom in", "Lock axes"]
+    order += ["Figure 19", "Reset", "Locus in", "Origin", "Root locus in", "zoom in", "Lock axes"]
     order += ["pole table", "Pole map", "Responses", "Mode shape", "Take away", "Keys and gestures"]
     places = [next((k for k, name in enumerate(reached) if name.startswith(wanted)), -1) for wanted in order]
-    assert -1 not in places, dict(zip(order, places, strict=True))
+    assert [wanted for wanted, at in zip(order, places, strict=True) if at < 0] == [], reached
     assert places == sorted(places), dict(zip(order, places, strict=True))
     assert any("Enter shows its mode" in name for name in reached)
     assert root.locator("[data-panel=mode]").evaluate("p => p.open")
@@ -469,7 +463,8 @@ class TestStationMap:
                  const seen = [];
                  const note = () => seen.push(root.dataset.step);
                  root.addEventListener('rlswaim:drawn', note);
-                 [...root.querySelectorAll('button')].find(b => b.textContent === 'Figure 25, K_A = 3').click();
+                 const named = b => b.textContent === 'Figure 25, K_A = 3';
+                 [...root.querySelectorAll('button')].find(named).click();
                  const until = performance.now() + 30000;
                  do await new Promise(next => setTimeout(next, 20));
                  while ((root.dataset.step !== 'complete' || seen.length < 3) && performance.now() < until);
