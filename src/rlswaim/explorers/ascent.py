@@ -11,7 +11,9 @@ from rlswaim import checks
 from rlswaim.explorers.live import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.scripts import module
+from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
+from rlswaim.figures.vehicle import draw_history
 from rlswaim.trajectory import Ascent, Trajectory, fly, turn
 from rlswaim.vehicle import FlightCondition
 
@@ -111,7 +113,7 @@ class AscentView(LiveView):
     _esm = module("ascent")
 
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
-        self._ascent = ascent
+        self._ascent, self._flight = ascent, flight
         tables = flights(ascent, UPRIGHT, LEVEL)
         middle = flights(ascent, _middles(UPRIGHT), _middles(LEVEL))
         off = {name: float(abs(between_nodes(tables, name) - middle[name]).max()) for name in CURVES}
@@ -138,6 +140,21 @@ class AscentView(LiveView):
             "presets": [{"name": n, "label": label, "values": v} for n, label, v in presets],
         }
         super().__init__(parameters(), payload, {**start, **values})
+
+    def drawings(self) -> list[Drawing]:
+        """Return the dynamic pressure and the altitude of the flight under the sliders."""
+        flown, flight = self.trajectory(), self._flight
+        named = {"q_D": "dynamic pressure $q_D$ (lb/ft²)", "h": "altitude $h$ (ft)"}
+        return [
+            partial(
+                draw_history,
+                times=FINE,
+                curves={"integrated": getattr(flown, name)},
+                quantity=quantity,
+                printed=(flight.t, getattr(flight, name)),
+            )
+            for name, quantity in named.items()
+        ]
 
     def trajectory(self) -> Trajectory:
         """Return the flight under the sliders, integrated, at every tenth of a second up to 100 s."""

@@ -10,7 +10,9 @@ from rlswaim import trajectory
 from rlswaim.explorers.live import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value
 from rlswaim.explorers.scripts import module
+from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
+from rlswaim.figures.vehicle import draw_elastic_axis
 from rlswaim.perturbation import ROWS, perturbation_equations
 from rlswaim.tables import constants
 from rlswaim.vehicle import Booster
@@ -85,7 +87,7 @@ class BentVehicle(LiveView):
     _esm = module("bent_vehicle")
 
     def __init__(self, booster: Booster, **values: Value) -> None:
-        self.forces, feet = forces(booster), np.array(FEET, float)
+        self._booster, self.forces, feet = booster, forces(booster), np.array(FEET, float)
         W, gamma_0 = (
             booster.M * constants("vehicle")["g"],
             trajectory.level_at_burnout(trajectory.swaim_ascent()),
@@ -117,6 +119,12 @@ class BentVehicle(LiveView):
             "presets": [{"name": n, "label": label, "values": v} for n, label, v in presets],
         }
         super().__init__(parameters(), payload, {**FIGURE_2, "delta": 6.0, **values})
+
+    def drawings(self) -> list[Drawing]:
+        """Return the elastic axis under the sliders."""
+        at = {name: float(value) for name, value in self.values().items() if name != "alpha"}
+        turned = {name: radians(value) if name in ANGLES else value for name, value in at.items()}
+        return [lambda ax: draw_elastic_axis(ax, self._booster, **turned)]
 
     def loads(self) -> dict[str, float]:
         """Return the sums under the sliders: F_z (lb), M_y (ft lb), Q_1z and Q_2z (lb) as Z, M, F1, F2."""

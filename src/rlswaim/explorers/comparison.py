@@ -1,19 +1,24 @@
 """The live view of Chapter VIII: any two designs met so far, side by side."""
 
+from functools import partial
 from typing import Any
 
 import anywidget
 import control
 import ipywidgets as widgets
 import traitlets
+from matplotlib.axes import Axes
 
 from rlswaim import checks
 from rlswaim.explorers.control_systems import SYSTEMS, payload
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.presets import COMPARED
 from rlswaim.explorers.scripts import module
+from rlswaim.explorers.still import draw_locus, still
 from rlswaim.perturbation import PerturbationEquations
 from rlswaim.tables import script
+
+SIDES = ("left", "right")
 
 
 class Comparison(anywidget.AnyWidget):
@@ -74,19 +79,29 @@ class Comparison(anywidget.AnyWidget):
 
     def values(self, side: str) -> dict[str, Value]:
         """Return the parameters of the design on a ``side``, "left" or "right"."""
-        return dict(self._presets[getattr(self, checks.one_of("side", side, ("left", "right")))][1]["values"])
+        return dict(self._presets[getattr(self, checks.one_of("side", side, SIDES))][1]["values"])
 
     def closed_loop(self, side: str) -> control.StateSpace:
         """Return the closed loop of the design on a ``side``, "left" or "right"."""
-        section = self._presets[getattr(self, checks.one_of("side", side, ("left", "right")))][0]
-        return SYSTEMS[section].closed_loop(self._eqs, **self.values(side))
+        return self._varied(side)
+
+    def _varied(self, side: str, **changes: float) -> control.StateSpace:
+        section = self._presets[getattr(self, checks.one_of("side", side, SIDES))][0]
+        return SYSTEMS[section].closed_loop(self._eqs, **{**self.values(side), **changes})
+
+    def draw(self, ax: Axes, side: str) -> Axes:
+        """Draw the root locus of the design on a ``side`` in the gain K_A, which is closed last."""
+        gain = float(self.values(side)["K_A"])
+        ax.set_title(self.designs[getattr(self, side)], fontsize=8)
+        return draw_locus(ax, lambda K_A: self._varied(side, K_A=K_A), gain, "K_A")
 
     def __repr__(self) -> str:
         """Return both designs in one line."""
         return f"comparison: {self.designs[self.left]} beside {self.designs[self.right]}"
 
     def _repr_mimebundle_(self, **kwargs: object) -> Any:
-        return {**self.panel._repr_mimebundle_(**kwargs), "text/plain": repr(self)}
+        image = still(*(partial(self.draw, side=side) for side in SIDES))
+        return {**self.panel._repr_mimebundle_(**kwargs), "image/png": image, "text/plain": repr(self)}
 
 
 def comparison_explorer(eqs: PerturbationEquations) -> Comparison:

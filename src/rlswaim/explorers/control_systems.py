@@ -304,7 +304,6 @@ def explorer(system: ControlSystem, eqs: PerturbationEquations, **values: Value)
     return Explorer(
         system.name,
         system.parameters(eqs),
-        forms.polynomial,
         sent,
         lambda **under: system.closed_loop(eqs, **under),
         {**sent["presets"][0]["values"], **values},

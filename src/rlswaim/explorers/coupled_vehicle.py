@@ -18,7 +18,10 @@ from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determi
 from rlswaim.explorers.live import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.scripts import module
+from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
+from rlswaim.figures.vehicle import draw_pole_paths
+from rlswaim.locus import parameter_locus
 from rlswaim.modes import BendingMode
 from rlswaim.perturbation import perturbation_equations
 from rlswaim.vehicle import Booster
@@ -161,9 +164,18 @@ class CoupledVehicle(LiveView):
             parameters(booster), payload, {**own_values(booster), "running": "coupling", **values}
         )
 
+    def drawings(self) -> list[Drawing]:
+        """Return the paths of the poles as q_D rises from nothing to its value."""
+        locus = parameter_locus(lambda q_D: self._varied(q_D=q_D), np.linspace(0, float(self.q_D), 101))
+        return [partial(draw_pole_paths, locus=locus, parameter="$q_D$")]
+
+    def _varied(self, **changes: float) -> control.StateSpace:
+        own = {name: float(value) for name, value in self.values().items() if name != "running"}
+        return vehicle(self._booster, **{**own, **changes})
+
     def vehicle(self) -> control.StateSpace:
         """Return the uncontrolled vehicle under the sliders."""
-        return vehicle(self._booster, **{k: float(v) for k, v in self.values().items() if k != "running"})
+        return self._varied()
 
     def poles(self) -> np.ndarray:
         """Return the vehicle's poles under the sliders (1/s)."""

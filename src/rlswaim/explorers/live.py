@@ -11,6 +11,7 @@ import ipywidgets as widgets
 import traitlets
 
 from rlswaim.explorers.parameter import Checked, Parameter, Value
+from rlswaim.explorers.still import Drawing, still
 from rlswaim.tables import script
 
 
@@ -73,6 +74,10 @@ class LiveView(anywidget.AnyWidget):
         """Return the parameters by name."""
         return {p.name: getattr(self, p.name) for p in self.parameters}
 
+    def drawings(self) -> Sequence[Drawing]:
+        """Return what the view's still shows, side by side."""
+        raise NotImplementedError
+
     def __repr__(self) -> str:
         """Return view and values in one line."""
         shown = ", ".join(f"{name} = {value}" for name, value in self.values().items())
@@ -80,4 +85,4 @@ class LiveView(anywidget.AnyWidget):
 
     def _repr_mimebundle_(self, **kwargs: object) -> Any:
         bundle = self.panel._repr_mimebundle_(**kwargs)
-        return {**bundle, "text/plain": repr(self)}
+        return {**bundle, "image/png": still(*self.drawings()), "text/plain": repr(self)}

@@ -1,5 +1,7 @@
 """The live view over all sensor and jet stations of Section VII: where the closed loop is stable."""
 
+from typing import Any
+
 import control
 import ipywidgets as widgets
 import numpy as np
@@ -13,8 +15,11 @@ from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live import LiveView
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.scripts import module
+from rlswaim.explorers.still import Drawing
+from rlswaim.figures.stations import draw_station_map
 from rlswaim.figures.style import COLORS
 from rlswaim.perturbation import PerturbationEquations
+from rlswaim.stations import station_map
 
 
 def designs() -> dict[str, dict[str, Value]]:
@@ -48,6 +53,14 @@ class StationMap(LiveView):
         }
         start = {**chosen["The pair that works"], **values}
         super().__init__(DUAL_ACTUATION.parameters(eqs), payload, start, beside)
+
+    def drawings(self) -> list[Drawing]:
+        """Return the map at every tenth foot, with the pair under the sliders."""
+        gains: dict[str, Any] = {name: float(value) for name, value in self.values().items()}
+        sensor, jet = gains.pop("sensor"), gains.pop("jet")
+        feet = np.arange(0.0, 421.0, 10.0)
+        abscissa = station_map(self._eqs, feet, feet, **gains)
+        return [lambda ax: draw_station_map(ax, abscissa).plot(sensor, jet, "k+", ms=12, mew=2)]
 
     def closed_loop(self) -> control.StateSpace:
         """Return the closed loop of the pair and the gains under the sliders."""

@@ -5,13 +5,13 @@ from typing import Any
 
 import control
 import traitlets
+from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from rlswaim.explorers.live import LiveView
-from rlswaim.explorers.multiaffine import MultiAffine
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.scripts import module
-from rlswaim.explorers.still import still
+from rlswaim.explorers.still import Drawing, draw_locus
 from rlswaim.tables import script
 
 
@@ -36,12 +36,11 @@ class Explorer(LiveView):
         self,
         system: str,
         parameters: Sequence[Parameter],
-        form: MultiAffine,
         payload: Mapping[str, Any],
         closed_loop: Callable[..., control.StateSpace],
         values: Mapping[str, Value],
     ) -> None:
-        self.system, self._form, self._closed_loop = system, form, closed_loop
+        self.system, self._closed_loop = system, closed_loop
         super().__init__(parameters, payload, values)
 
     def closed_loop(self) -> control.StateSpace:
@@ -52,23 +51,15 @@ class Explorer(LiveView):
         """Return the closed-loop poles under the sliders (1/s)."""
         return self.closed_loop().poles()
 
-    def _factors(self) -> dict[str, Any]:
-        """Return the values of the polynomial's factors: parameters, and shapes at their stations."""
-        values = self.values()
-        shapes = {name: s["values"][int(values[s["at"]])] for name, s in self.payload["shapes"].items()}
-        choice = self.payload["choice"]
-        out = choice["zero"][values[choice["name"]]] if choice else ()
-        known = {**values, **shapes, **dict.fromkeys(out, 0.0)}
-        return {name: known[name] for name in self._form.factors}
+    def draw(self, ax: Axes) -> Axes:
+        """Draw the root locus in the gain that is closed last."""
+        running, values = self.payload["closing"][-1], self.values()
 
-    def still(self) -> str:
-        """Return the root locus in the gain that is closed last, as base64 of a PNG."""
-        running = self.payload["closing"][-1]
-        gain, factors = getattr(self, running), self._factors()
-        D = self._form(**{**factors, running: 0.0})
-        N = self._form(**{**factors, running: -1.0 if gain < 0 else 1.0}) - D
-        return still(D, N, self.poles(), f"poles at {running} = {gain:g}")
+        def loop(gain: float) -> control.StateSpace:
+            return self._closed_loop(**{**values, running: gain})
 
-    def _repr_mimebundle_(self, **kwargs: object) -> Any:
-        still = {"image/png": self.still()} if "closing" in self.payload else {}
-        return {**super()._repr_mimebundle_(**kwargs), **still}
+        return draw_locus(ax, loop, float(values[running]), running)
+
+    def drawings(self) -> list[Drawing]:
+        """Return `draw` alone."""
+        return [self.draw]

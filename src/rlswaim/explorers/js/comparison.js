@@ -41,6 +41,7 @@ class Held {
 
 class Side {
   constructor(model, key) {
+    this.key = key;
     this.system = element('div');
     this.node = element('section', { class: 'side', 'aria-label': `${key} design` }, this.system);
     this.show = () => this.#show(model.get('payload'), model.get(key));
@@ -49,12 +50,12 @@ class Side {
   #show({ systems, designs }, at) {
     if (at === this.at) return;
     if (this.bench) {
-      writeAddress(this.bench.name, {}); // what was looked at goes with the design
       this.bench.stop();
+      writeAddress(this.bench.name, {}); // what was looked at goes with the design
     }
     const payload = systems[designs[at].system];
     const initial = payload.presets[designs[at].preset].values;
-    const fresh = element('div');
+    const fresh = element('div', { 'data-name': `${this.key}-${at}` });
     this.system.replaceWith(fresh);
     Object.assign(this, { at, system: fresh });
     this.bench = new Workbench(new Held({ payload: { ...payload, initial }, magnify: 1, ...initial }), fresh);
@@ -75,20 +76,25 @@ function render({ model, el }) {
   el.classList.add('rlswaim-comparison');
   el.dataset.explorer = NAME;
   const start = SIDES.map((key) => model.get(key));
-  for (const [key, at] of chosen(readAddress(NAME), model.get('payload').designs.length)) model.set(key, at);
-  model.save_changes();
   const sides = SIDES.map((key) => new Side(model, key));
-  el.append(...sides.map(({ node }) => node));
+  const arrive = () => {
+    for (const [key, at] of chosen(readAddress(NAME), model.get('payload').designs.length)) model.set(key, at);
+    model.save_changes();
+  };
   const changed = () => {
     for (const side of sides) side.show();
     const moved = SIDES.some((key, i) => model.get(key) !== start[i]);
     writeAddress(NAME, moved ? Object.fromEntries(SIDES.map((key) => [key, model.get(key)])) : {});
   };
+  arrive();
+  el.append(...sides.map(({ node }) => node));
   for (const key of SIDES) model.on(`change:${key}`, changed);
+  addEventListener('hashchange', arrive);
   changed();
   return () => {
     for (const side of sides) side.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
+    removeEventListener('hashchange', arrive);
   };
 }
 

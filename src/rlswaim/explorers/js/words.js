@@ -1,5 +1,7 @@
 // The state of the system in words and numbers.
-import { number } from './dom.js';
+import { complex, number } from './dom.js';
+
+const READ_OFF = 0.05; // of a root's size, at least of .1 1/s: what a plotted locus tells
 
 function spoken(pole, poles) {
   const at = `${pole.re > 0 ? '+' : ''}${number(pole.re)}`;
@@ -49,4 +51,17 @@ export function marginWords(margins) {
   const phase = margins.phase.map((m) => `${signed(m.degrees, 3)}° (ω = ${number(m.omega, 3)} rad/s)`);
   const list = (words) => (words.length ? words.join(', ') : 'none');
   return `Gain margins: ${list(gain)}. Phase margins: ${list(phase)}.`;
+}
+
+// The report's roots beside those of the loop that is drawn, each with the one nearest to it.
+export function printedWords(printed, { x, y }) {
+  if (printed.length === 0) return '';
+  const off = [];
+  for (const { re, im, text } of printed) {
+    const far = Array.from(x, (v, i) => Math.hypot(v - re, y[i] - im));
+    const at = far.indexOf(Math.min(...far));
+    if (far[at] > READ_OFF * Math.max(Math.hypot(re, im), 0.1)) off.push(`${text} (nearest here ${complex(x[at], y[at])})`);
+  }
+  const count = `Printed roots (+): ${printed.length}, `;
+  return off.length ? `${count}of which ${off.length} more than a plot’s reading off: ${off.join('; ')}.` : `${count}all within a plot’s reading of the roots here.`;
 }

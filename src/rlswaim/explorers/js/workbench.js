@@ -9,7 +9,7 @@ import { LocusPlane, MAGNIFY } from './locusplane.js';
 import { ModePanel } from './modepanel.js';
 import { helpPanel, legend, MapPanel, ResponsePanel } from './panels.js';
 import { PoleTable, polesAsText } from './table.js';
-import { crossingWords, marginWords, verdict } from './words.js';
+import { crossingWords, marginWords, printedWords, verdict } from './words.js';
 
 const LAG = 160; // ms until words that nobody watches follow the picture
 
@@ -39,12 +39,13 @@ export class Workbench {
     this.running = element('span');
     this.crossings = element('span');
     this.margins = element('span');
+    this.printed = element('span');
     const scroll = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' }, this.table.node);
     const poles = panel('poles', 'Closed-loop poles', () => {}, scroll);
     poles.node.open = this.map.node.open = this.responses.node.open = true;
     el.append(
       this.#presets(), this.#bar(), element('p', { class: 'verdict' }, this.word, this.reason), this.live, this.plane.node,
-      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins), legend(),
+      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins, ' ', this.printed), legend(),
       element('div', { class: 'panels' }, poles.node, this.map.node, this.responses.node, this.mode.node, this.#takeaway(), helpPanel()),
     );
   }
@@ -91,8 +92,9 @@ export class Workbench {
     return document.body.dataset.jpThemeLight !== undefined;
   }
 
-  // A page may show a system twice: the second is told apart by a number.
+  // A page may show a system twice: the second is told apart by a number, unless it has a name of its own.
   get name() {
+    if (this.el.dataset.name) return this.el.dataset.name;
     const twins = [...document.querySelectorAll(`[data-explorer="${this.system.system}"]`)];
     const at = twins.indexOf(this.el);
     return at > 0 ? `${this.system.system}.${at + 1}` : this.system.system;
@@ -191,6 +193,7 @@ export class Workbench {
     if (this.named !== running) this.running.replaceChildren(...symbol((this.named = running)));
     set(this.crossings, crossingWords(locus.crossings));
     set(this.margins, marginWords(margins(this.system, desk.state, desk.what)));
+    set(this.printed, printedWords(this.plane.extra.printed, locus.present));
     this.system.presets.forEach((_, i) => press(this.designs.made[i], desk.isDesign(i)));
     if (this.loci.list.value !== desk.view.locus) this.loci.list.value = desk.view.locus;
     const magnify = String(this.model.get('magnify'));
@@ -241,7 +244,7 @@ export class Workbench {
     const watch = new IntersectionObserver((entries) => this.#noteSeen(entries), { rootMargin: '120px' });
     for (const canvas of this.seen.keys()) watch.observe(canvas);
     const unwatch = onThemeChange(() => {
-      this.theme = undefined;
+      this.theme = themeOf(el, this.system); // at once: the mode that swings doesn't wait for the drawing
       this.schedule();
     });
     const keys = (event) => this.#key(event);
