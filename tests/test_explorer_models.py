@@ -10,7 +10,6 @@ import math
 import re
 from collections.abc import Iterator
 from functools import cache
-from itertools import pairwise
 
 import control
 import numpy as np
@@ -78,7 +77,7 @@ def factors_at(section: str, state: dict) -> dict[str, float]:
     system = SYSTEMS[section]
     values = {name: state[name] for name in system.gains}
     for factor, shape in sent(section)["shapes"].items():
-        values[factor] = float(np.interp(state[shape["at"]], np.arange(421), shape["values"]))
+        values[factor] = np.interp(state[shape["at"]], np.arange(421), shape["values"])
     if state.get("feedback") == "rigid body":
         values |= {"sigma_1": 0.0, "sigma_2": 0.0}
     return values
@@ -190,6 +189,14 @@ class TestPresets:
                 z = complex(root["re"], root["im"])
                 assert abs(ours - z).min() <= 0.03 * abs(z) + 1e-3, (preset["name"], z)
 
+    @sections
+    def test_printed_roots_off_ours_name_the_path_that_they_lie_on(self, section):
+        for preset in sent(section)["presets"]:
+            ours = SYSTEMS[section].closed_loop(EQS, **preset["values"]).poles()
+            printed = [complex(root["re"], root["im"]) for root in preset["printed"]]
+            far = any(abs(ours - z).min() > 0.03 * abs(z) + 1e-3 for z in printed)
+            assert far == bool(preset.get("path")), preset["name"]
+
     def test_the_corrected_rigid_body_design_puts_the_short_period_where_it_is_wanted(self):
         gains = corrected_designs("IV", EQS)["Eq. 75, corrected"]
         short = rl.evidence.section_4.closed_loop_roots(EQS, gains["K_A"], gains["K_R"], None, order=2)
@@ -257,6 +264,11 @@ class TestPoles:
             )
             spread = np.minimum(20 * EPS * rounding / np.maximum(slope, 1e-300), 1e-3 * abs(wanted))
             assert (abs(ours - wanted) <= np.maximum(1e-8 * abs(wanted), spread) + 1e-12).all(), state
+
+    def test_without_feedback_of_the_angle_the_attitude_stays_at_the_origin_exactly(self, page, section):
+        body = "(s, all) => all.map((x) => module.closedLoop(s, { ...x, K_A: 0 }))"
+        for js in run(page, body, section, [*presets_of(section), *states(section)]):
+            assert points(js)[js["branches"].index("attitude")] == 0
 
     def test_names_are_those_of_the_locus_and_lead_back_to_the_open_loop(self, page, section):
         found = run(
@@ -440,15 +452,24 @@ def loci_of(section: str) -> list[dict]:
 
 
 def polynomial_along(section: str, state: dict, what: dict):
-    """Return the polynomial whose roots a locus follows, as a function of the running value."""
+    """Return the polynomial whose roots a locus follows, as a function of the running value or of many."""
     form = forms(section).polynomial
+    size = max(len(term.coefficients) for term in form.terms)
+
+    def value(t: float | np.ndarray, factors: dict[str, float]) -> np.ndarray:
+        total = np.zeros((*np.shape(t), size))
+        for term in form.terms:
+            weight = math.prod(factors[f] for f in term.factors)
+            total[..., : len(term.coefficients)] += np.multiply.outer(weight, term.coefficients)
+        return total
+
     held = {**state, **dict.fromkeys(what["off"], 0.0)}
 
-    def at(t: float) -> np.ndarray:
+    def at(t: float | np.ndarray) -> np.ndarray:
         values = factors_at(section, {**held, what["running"]: t})
         if what["of"] == "zeros":
-            return form(**{**values, what["gain"]: 1.0}) - form(**{**values, what["gain"]: 0.0})
-        return form(**values)
+            return value(t, {**values, what["gain"]: 1.0}) - value(t, {**values, what["gain"]: 0.0})
+        return value(t, values)
 
     return at
 
@@ -456,6 +477,20 @@ def polynomial_along(section: str, state: dict, what: dict):
 def roots_at(p: np.ndarray) -> np.ndarray:
     """Return roots for a picture."""
     return roots(np.where(abs(p) > 1e-15 * abs(p).max(), p, 0.0) if abs(p[-1]) < 1e-15 * abs(p).max() else p)
+
+
+def roots_of_all(polynomials: np.ndarray) -> np.ndarray:
+    """Return the roots for a picture of one polynomial a row, rows filled up with nan."""
+    sizes_ = abs(polynomials).max(axis=1, keepdims=True)
+    degrees = (np.arange(polynomials.shape[1]) * (abs(polynomials) > 1e-15 * sizes_)).max(axis=1)
+    found = np.full((len(polynomials), polynomials.shape[1] - 1), np.nan, dtype=complex)
+    for n in set(degrees.tolist()):
+        rows = degrees == n
+        companion = np.zeros((rows.sum(), n, n))
+        companion[:, 1:, :-1] = np.eye(n - 1)
+        companion[:, :, -1] = -polynomials[rows, :n] / polynomials[rows, n : n + 1]
+        found[rows, :n] = np.linalg.eigvals(companion)
+    return found
 
 
 @sections
@@ -468,18 +503,19 @@ class TestLoci:
                 p = polynomial_along(section, state, what)
                 assert locus["branches"][0]["t"] == 0
                 assert locus["branches"][-1]["t"] == locus["end"]
-                for a, b in pairwise(locus["branches"]):
-                    start, end = points(a), points(b)
-                    share = 0.37
-                    linear = locus["kind"] == "station" or a["t"] * b["t"] == 0
-                    t = a["t"] + share * (b["t"] - a["t"]) if linear else a["t"] * (b["t"] / a["t"]) ** share
-                    exact = roots_at(p(t))
-                    across = (exact.real > VIEW["left"]) & (exact.real < VIEW["right"])
-                    seen = exact[across & (abs(exact.imag) < VIEW["top"])]
-                    chord = np.where(end == start, 1e-300, end - start)
-                    along = np.clip(((seen[:, None] - start) / chord).real, 0, 1)
-                    miss = abs(seen[:, None] - start - along * (end - start)).min(axis=1, initial=np.inf)
-                    assert (miss * VIEW["scale"] < 0.5).all(), (state, what, t)
+                places = np.array([point["t"] for point in locus["branches"]])
+                drawn = np.array([points(point) for point in locus["branches"]])
+                (a, b), share = (places[:-1], places[1:]), 0.37
+                linear = (a * b == 0) | (locus["kind"] == "station")
+                ratio = np.where(linear, 1, b / np.where(a == 0, 1, a))
+                exact = roots_of_all(p(np.where(linear, a + share * (b - a), a * ratio**share)))
+                across = (exact.real > VIEW["left"]) & (exact.real < VIEW["right"])
+                seen = across & (abs(exact.imag) < VIEW["top"])
+                start, end = drawn[:-1, None, :], drawn[1:, None, :]
+                chord = np.where(end == start, 1e-300, end - start)
+                along = np.clip(((exact[:, :, None] - start) / chord).real, 0, 1)
+                miss = abs(exact[:, :, None] - start - along * (end - start)).min(axis=2)
+                assert (miss[seen] * VIEW["scale"] < 0.5).all(), (state, what)
 
     def test_break_aways_and_crossings_are_those_of_the_library(self, page, section):
         for state in presets_of(section):

@@ -326,6 +326,7 @@ class TestAddress:
                 for where in (page, other):
                     where.locator(f"canvas[data-plane={plane}]").scroll_into_view_if_needed()
                     where.wait_for_timeout(100)
+                    where.wait_for_function("!el.querySelector('.stale')")
                 assert picture(other, plane) == picture(page, plane)
 
     def test_other_parts_and_nonsense_are_left_alone(self, browser, explorer):

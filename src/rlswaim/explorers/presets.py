@@ -111,6 +111,7 @@ def presets(
             "values": values,
             "locus": places[rows[name]["locus"]],
             "printed": _printed(section, rows[name]["printed"]),
+            "path": rows[name]["path"],
             "note": "as printed",
         }
         for name, values in designs(section).items()

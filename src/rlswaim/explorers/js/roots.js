@@ -143,17 +143,29 @@ const cost = new Float64Array(MOST * MOST);
 const [us, vs, least] = [new Float64Array(MOST), new Float64Array(MOST), new Float64Array(MOST)];
 const [rowOf, way, seen] = [new Int32Array(MOST), new Int32Array(MOST), new Int32Array(MOST)];
 
-// For each point of a its partner in b, by least total squared distance.
+function atOrigin(x, y) {
+  let count = 0;
+  for (let i = 0; i < x.length; i++) if (x[i] === 0 && y[i] === 0) count++;
+  return count;
+}
+
+const NEVER = 1e30;
+
+// For each point of a its partner in b, by least total squared distance. What stays at the origin itself is not changed for
+// another that passes it.
 export function pairing(ax, ay, bx, by, partner) {
   const n = ax.length;
   rowOf.fill(-1); // of each column; column n stands for "not yet"
   let taken = 0;
+  const zeros = atOrigin(ax, ay);
+  const stays = zeros > 0 && zeros === atOrigin(bx, by);
   for (let i = 0; i < n; i++) {
     us[i] = Infinity;
+    const held = stays && ax[i] === 0 && ay[i] === 0;
     for (let j = 0; j < n; j++) {
       const ex = ax[i] - bx[j];
       const ey = ay[i] - by[j];
-      const d = (cost[i * MOST + j] = ex * ex + ey * ey);
+      const d = (cost[i * MOST + j] = held && (bx[j] !== 0 || by[j] !== 0) ? NEVER : ex * ex + ey * ey);
       if (d < us[i]) {
         us[i] = d;
         partner[i] = j;
