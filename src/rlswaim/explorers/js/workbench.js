@@ -39,21 +39,14 @@ export class Workbench {
     this.running = element('span');
     this.crossings = element('span');
     this.margins = element('span');
-<<<<<<< HEAD
     this.printed = element('span');
-=======
     this.signs = legend();
->>>>>>> wt2-systems
     const scroll = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' }, this.table.node);
     const poles = panel('poles', 'Closed-loop poles', () => {}, scroll);
     poles.node.open = this.map.node.open = this.responses.node.open = true;
     el.append(
       this.#presets(), this.#bar(), element('p', { class: 'verdict' }, this.word, this.reason), this.live, this.plane.node,
-<<<<<<< HEAD
-      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins, ' ', this.printed), legend(),
-=======
-      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins), this.signs,
->>>>>>> wt2-systems
+      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins, ' ', this.printed), this.signs,
       element('div', { class: 'panels' }, poles.node, this.map.node, this.responses.node, this.mode.node, this.#takeaway(), helpPanel()),
     );
   }
@@ -201,12 +194,9 @@ export class Workbench {
     if (this.named !== running) this.running.replaceChildren(...symbol((this.named = running)));
     set(this.crossings, crossingWords(locus.crossings));
     set(this.margins, marginWords(margins(this.system, desk.state, desk.what)));
-<<<<<<< HEAD
     set(this.printed, printedWords(this.plane.extra.printed, locus.present));
-=======
     const { path } = this.system.presets[desk.view.printed] ?? {};
     set(this.signs.lastChild.lastChild, path ? ` printed in the report (${path})` : ' printed in the report');
->>>>>>> wt2-systems
     this.system.presets.forEach((_, i) => press(this.designs.made[i], desk.isDesign(i)));
     if (this.loci.list.value !== desk.view.locus) this.loci.list.value = desk.view.locus;
     const magnify = String(this.model.get('magnify'));
