@@ -125,6 +125,14 @@ def test_four_integrators_and_a_pair_beside_its_zeros(both):
         assert locus.gains.size < 100
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_an_integrator_is_at_the_origin_exactly(both, sign):
+    """Without gain; found by fuzzing: it was at 6e-33."""
+    den = np.polymul(np.polymul([1, 0], [1, 0, 0.1**2]), [1, 0, 1])
+    for locus in both(lambda: rl.root_locus(control.tf([1], den), sign=sign)):
+        assert (locus.roots[locus.gains == 0] == 0).sum() == 1
+
+
 def test_without_numba_or_room_for_its_cache_numpy_serves():
     """In fresh processes: numba can't be imported; nothing may be written beside the sources or at home."""
     work = "import rlswaim as rl, control; print(rl.root_locus(control.tf([1], [1, 2, 2, 0])).gains.size)"

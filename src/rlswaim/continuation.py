@@ -160,4 +160,8 @@ def joined(loop: OpenLoop, states: NDArray, trusted: bool, sign: int = 1) -> NDA
         gains = sign * states[soft, 4, 0]
         pairs = np.stack([values[soft], loop.eigenvalues(gains)], axis=1)
         values[soft] = polished(loop, gains, np.array([continuous_branches(pair)[1] for pair in pairs]))
+    without = np.flatnonzero(states[:, 4, 0] == 0)
+    integrators = np.flatnonzero(loop.denominator)[0]
+    for at in without:  # poles at the origin are there exactly
+        values[at, np.abs(values[at]).argsort()[:integrators]] = 0.0
     return values
