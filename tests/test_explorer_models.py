@@ -198,7 +198,7 @@ class TestPresets:
             assert far == bool(preset.get("path")), preset["name"]
 
     def test_the_corrected_rigid_body_design_puts_the_short_period_where_it_is_wanted(self):
-        gains = corrected_designs("IV", EQS)["Eq. 75, corrected"]
+        gains = corrected_designs("IV", EQS)["Eq. 75, divided by U"]
         short = rl.evidence.section_4.closed_loop_roots(EQS, gains["K_A"], gains["K_R"], None, order=2)
         assert abs(short - complex(-1, math.sqrt(3))).min() < 1e-9
 

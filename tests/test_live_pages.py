@@ -212,7 +212,7 @@ def test_each_preset_tells_the_printed_roots_beside_its_own(fresh):
 
 @every("rate-attitude")
 def test_the_corrected_design_is_that_of_the_corrected_equation(fresh):
-    fresh.press("Eq. 75, corrected")
+    fresh.press("Eq. 75, divided by U")
     wanted = rigid_design(rigid_body(EQUATIONS), omega=2, zeta=0.5, K_C=10)
     assert fresh.values()["K_A"] == pytest.approx(wanted.K_A, rel=1e-9)
     assert fresh.values()["K_R"] == pytest.approx(wanted.K_R, rel=1e-9)
@@ -526,7 +526,7 @@ class TestComparison:
     @pytest.fixture
     def view(self, shown):
         view = library("comparison")
-        for side, name in enumerate(("IV: Eq. 78 (as printed)", "IV: Eq. 75, corrected (corrected)")):
+        for side, name in enumerate(("IV: Eq. 78 (as printed)", "IV: Eq. 75, divided by U (corrected)")):
             self.choose(shown, side, view.designs.index(name))
         shown.page.wait_for_timeout(200)
         return view

@@ -86,7 +86,7 @@ class Parameter:
         box = (widgets.BoundedIntText if whole else widgets.FloatText)(
             value=getattr(view, self.name),
             tooltip=f"{self.meaning}: any value",
-            layout={"flex": "0 0 auto", "width": "7rem"},
+            layout={"flex": "0 0 auto", "width": "7.6rem"},
             **({"min": self.grid[0], "max": self.grid[-1]} if whole else {}),
         )
         widgets.jslink((view, self.name), (box, "value"))

@@ -15,7 +15,7 @@ from rlswaim.rigid_body import WANTED, rigid_body, rigid_design
 from rlswaim.tables import read_table
 
 CORRECTED = {
-    "Eq. 75, corrected": "the rigid-body design with the division by U that Eq. 61 leaves out",
+    "Eq. 75, divided by U": "the rigid-body design with the division by U that Eq. 61 leaves out",
     "Search": "found by a search, rounded: all roots but a slow one left of the axis",
     "Table 3, case 1": "gains chosen by hand for case 1: no root right of the axis",
     "Search, modest jet": "found by a search, rounded: all roots left of the axis, a pair at 2 rad/s and .5",
@@ -28,7 +28,7 @@ SEARCHED = {
 }
 """Sections with a winner of a search: its system and objective, and the design's name."""
 COMPARED = {
-    "IV": ("Eq. 78", "Eq. 75, corrected"),
+    "IV": ("Eq. 78", "Eq. 75, divided by U"),
     "V": ("Figure 16", "Search"),
     "VI": ("Figure 20", "Search"),
     "VII": ("Figure 25", "Table 3, case 1"),
@@ -63,7 +63,7 @@ def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dic
     """
     if section == "IV":
         gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=-WANTED.real / abs(WANTED), K_C=K_C)
-        return {"Eq. 75, corrected": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
+        return {"Eq. 75, divided by U": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
     by_hand: dict[str, dict[str, Value]] = {}
     if section == "VII":
         by_hand["Table 3, case 1"] = {**found_gains("dual_actuation")}
