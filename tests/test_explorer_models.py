@@ -223,9 +223,12 @@ def page(browser: Browser) -> Iterator[Page]:
 
 
 def run(page: Page, body: str, section: str, *arguments: object):
-    """Evaluate a function of a section's system and more in the page; typed arrays come back as lists."""
+    """Evaluate a function of a section's system and more in the page; typed arrays come back as lists.
+
+    A traced point keeps what led to it (``before``): that stays in the page.
+    """
     wrapped = f"""([section, ...given]) => JSON.stringify(({body})(systems[section], ...given),
-        (key, value) => (ArrayBuffer.isView(value) ? [...value] : value))"""
+        (key, value) => (key === 'before' ? undefined : ArrayBuffer.isView(value) ? [...value] : value))"""
     return json.loads(page.evaluate(wrapped, [section, *arguments]))
 
 
@@ -493,18 +496,23 @@ def roots_of_all(polynomials: np.ndarray) -> np.ndarray:
     return found
 
 
+DRAWN = """(system, ...given) => {
+  const { kind, end, branches } = module.rootLocus(system, ...given);
+  return { kind, end, t: branches.map((p) => p.t), x: branches.map((p) => p.x), y: branches.map((p) => p.y) };
+}"""
+
+
 @sections
 class TestLoci:
     def test_are_true_to_half_a_pixel(self, page, section):
         """Every root at values between the points drawn lies on its own branch as drawn."""
         for state in [*presets_of(section), *states(section, 4, seed=3)]:
             for what in loci_of(section):
-                locus = run(page, "module.rootLocus", section, state, VIEW, what)
+                locus = run(page, DRAWN, section, state, VIEW, what)
                 p = polynomial_along(section, state, what)
-                assert locus["branches"][0]["t"] == 0
-                assert locus["branches"][-1]["t"] == locus["end"]
-                places = np.array([point["t"] for point in locus["branches"]])
-                drawn = np.array([points(point) for point in locus["branches"]])
+                assert locus["t"][0] == 0
+                assert locus["t"][-1] == locus["end"]
+                places, drawn = np.array(locus["t"]), points(locus)
                 (a, b), share = (places[:-1], places[1:]), 0.37
                 linear = (a * b == 0) | (locus["kind"] == "station")
                 ratio = np.where(linear, 1, b / np.where(a == 0, 1, a))
