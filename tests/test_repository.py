@@ -115,3 +115,10 @@ def test_the_readme_s_pictures_and_files_are_there():
     ]
     assert len(named) >= 5
     assert [name for name in named if not (ROOT / name).exists()] == []
+
+
+def test_the_readme_shows_the_measured_figures():
+    """Its table of live views is that of the page that `make bench` writes."""
+    page = (ROOT / "book" / "11-speed.md").read_text(encoding="utf-8")
+    start = page.index("| view | key to picture")
+    assert page[start : page.index("\n\n", start)] in (ROOT / "README.md").read_text(encoding="utf-8")
