@@ -33,7 +33,6 @@ export function addressWith(name, values, hash = location.hash) {
 }
 
 export function writeAddress(name, values) {
-  if (location.origin === 'null') return; // a page without an address of its own
   const hash = addressWith(name, values);
   // An anchor of the page stays until there is something to say.
   if (hash === location.hash || (!hash && partsOf(location.hash).size === 0)) return;
