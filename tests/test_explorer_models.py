@@ -534,8 +534,7 @@ class TestLoci:
                 tf = control.tf(N[::-1].tolist(), D[::-1].tolist())
                 theirs = rl.root_locus(tf, gains=[0.0])
                 ours = sorted(b.gain for b in theirs.break_aways if 0 < b.gain / end < 1)
-                # Beside a near cancellation (K_C = K_r) rounding decides who sees one; each is proved below.
-                assert len(locus["breaks"]) >= len(ours)
+                assert len(locus["breaks"]) == len(ours)
                 for broken in locus["breaks"]:
                     at = complex(broken["x"], broken["y"])
                     two = np.sort(abs(roots(p(broken["gain"])) - at))[:2]
