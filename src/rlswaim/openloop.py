@@ -193,8 +193,9 @@ def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
     points = points[points.imag >= 0]
     at, _, terms = horner(D, points)
     with np.errstate(divide="ignore", invalid="ignore"):
-        # A multiple open-loop pole is met at the gain 0, not at the rounding of D there.
-        gains = np.where(np.abs(at) <= D.size * EPS * terms, 0.0, -at / values(N, points))
+        # A multiple open-loop pole is met at the gain 0, not at the rounding of D there, of its coefficients
+        # and of the point: with a zero on it too, D/N would be a gain of any size.
+        gains = np.where(np.abs(at) <= 100 * D.size * EPS * terms, 0.0, -at / values(N, points))
     real = np.isfinite(gains) & (np.abs(gains.imag) <= 1e-7 * np.abs(gains))
     pairs = zip(gains[real].real.tolist(), points[real].tolist(), strict=True)
     return tuple(sorted((BreakAway(k, p) for k, p in pairs), key=lambda b: b.gain))

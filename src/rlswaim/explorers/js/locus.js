@@ -1,5 +1,5 @@
 // Root loci from the table of terms that Python sends: nothing here knows any physics.
-import { anchor, derivative, evaluate, flatten, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
+import { EPS, anchor, derivative, evaluate, flatten, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
 
 // The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
 export function factorsOf(system, state) {
@@ -110,7 +110,11 @@ export function namedPoles(system, state) {
 
 const trimmed = (c) => c.slice(0, c.findLastIndex((v) => v !== 0) + 1);
 
-// Gains where two branches meet: double roots of D + k N, that is N D' - D N' = 0.
+// The sum of the sizes of a polynomial's terms at a distance from the origin: rounding is in proportion to it.
+const termsAt = (c, size) => c.reduceRight((sum, v) => sum * size + Math.abs(v), 0);
+
+// Gains where two branches meet: double roots of D + k N, that is N D' - D N' = 0. A multiple open-loop pole is met at the
+// gain 0, not at the rounding of D there: with a zero on it too, D/N would be a gain of any size.
 export function breakAways({ D, N }) {
   const P = trimmed(N);
   if (P.length === 0) return [];
@@ -118,6 +122,7 @@ export function breakAways({ D, N }) {
   return meeting.x.flatMap((x, i) => {
     const y = meeting.y[i];
     const [dx, dy] = evaluate(D, x, y);
+    if (Math.hypot(dx, dy) <= 100 * D.length * EPS * termsAt(D, Math.hypot(x, y))) return y >= 0 ? [{ gain: 0, x, y }] : [];
     const [nx, ny] = evaluate(P, x, y);
     const size = nx * nx + ny * ny;
     const gain = -(dx * nx + dy * ny) / size;

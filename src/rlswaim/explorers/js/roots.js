@@ -1,6 +1,6 @@
 // Polynomials and their roots. Coefficients run from the constant term up; points are pairs of arrays x, y.
 
-const EPS = 2.220446049250313e-16;
+export const EPS = 2.220446049250313e-16;
 
 export function evaluate(c, x, y) {
   let re = 0;
