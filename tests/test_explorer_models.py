@@ -620,6 +620,16 @@ class TestLoci:
                     assert (abs(ours - order_of(ours, exact)) < 1e-5 * np.maximum(1, abs(ours))).all()
 
 
+def test_a_step_that_would_lead_anywhere(page):
+    """Two poles and a zero in one place: on the way a correction had a pole, and the page stood still."""
+    state = {
+        **{"K_A": 0.00841, "K_C": 79.4, "K_R": 0.96, "kK_z": -10700000, "K_r": 79.4, "b": 79.4},
+        **{"sensor": 115, "jet": 212},
+    }
+    locus = run(page, "module.rootLocus", "VII", state, VIEW, sent("VII")["loci"][0])
+    assert np.isfinite([[p["x"], p["y"]] for p in locus["branches"]]).all()
+
+
 class TestMargins:
     @sections
     @pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")  # control's, at a pole and zero at 0

@@ -455,6 +455,7 @@ def test_with_scripts_no_still_is_seen(shown):
 @every("station-map")
 class TestStationMap:
     def test_comes_in_levels(self, shown):
+        shown.root.locator("canvas[data-plane=stations]").scroll_into_view_if_needed()
         shown.page.wait_for_function(
             "root => root.dataset.step === 'complete'", arg=shown.root.element_handle(), timeout=30000
         )

@@ -513,7 +513,8 @@ class TestPanels:
         label = page.locator("canvas[data-plane=responses]").get_attribute("aria-label")
         words = {part.split(":")[0].split(". ")[-1]: part for part in label.split("; ")}
         loop = rl.rate_attitude(EQUATIONS, K_A=1.8, K_C=10, K_R=0.618, gyro=60)
-        step = control.forced_response(loop[:, "theta_c"], np.linspace(0, 5, 501), np.full(501, np.pi / 180))
+        theta_c = loop.input_labels.index("theta_c")
+        step = control.forced_response(loop[:, theta_c], np.linspace(0, 5, 501), np.full(501, np.pi / 180))
         for name, unit in (("theta", 180 / np.pi), ("q1", 1), ("delta", 180 / np.pi)):
             end = float(words[name].rsplit(" ", 2)[-2])
             at = loop.output_labels.index(name)

@@ -27,6 +27,20 @@ controls.PlayView.prototype.updatePlaying = function () {
 const STATE = 'script[type="application/vnd.jupyter.widget-state+json"]';
 const VIEW = 'script[type="application/vnd.jupyter.widget-view+json"]';
 
+// A live view tells when it has drawn. One that draws nothing, or not now (in a tab in the background), is not waited for.
+const drawn = (place) => new Promise((resolve) => {
+  place.addEventListener('rlswaim:drawn', () => setTimeout(resolve), { once: true });
+  setTimeout(resolve, 1000);
+});
+
+// The page's formulas are long work: they wait until the views are there, which is short work.
+let viewsAreThere;
+const views = new Promise((resolve) => (viewsAreThere = resolve));
+if (!globalThis.MathJax?.startup) {
+  const pageReady = () => views.then(() => globalThis.MathJax.startup.defaultPageReady());
+  globalThis.MathJax = { ...globalThis.MathJax, startup: { pageReady } };
+}
+
 const pageLoaded = new Promise((resolve) => {
   if (document.readyState === 'complete') resolve();
   else addEventListener('load', resolve, { once: true });
@@ -85,6 +99,7 @@ async function show(manager, tag) {
   } catch (error) {
     fail(place, error);
   }
+  return place;
 }
 
 async function start() {
@@ -100,8 +115,12 @@ async function start() {
       console.error(error); // its views say so in the page
     }
   }
-  await Promise.all([...document.querySelectorAll(VIEW)].map((tag) => show(manager, tag)));
+  for (const tag of document.querySelectorAll(VIEW)) {
+    await drawn(await show(manager, tag)); // each can be used before the next one is made
+  }
 }
 
-if (document.readyState === 'loading') addEventListener('DOMContentLoaded', start);
-else start();
+// The page's text is there once it is `interactive`, before all scripts that wait for that.
+const begin = () => start().finally(viewsAreThere);
+if (document.readyState === 'loading') document.addEventListener('readystatechange', begin, { once: true });
+else begin();

@@ -59,16 +59,14 @@ class LiveView(anywidget.AnyWidget):
         known_to_script = [
             {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
         ]
-        super().__init__(
-            payload={"system": self.system, "parameters": known_to_script, **payload, "initial": start}
-        )
+        own = [p for p in parameters if beside is None or not beside.has_trait(p.name)]
+        given = {"system": self.system, "parameters": known_to_script, "own": [p.name for p in own]}
+        super().__init__(payload={**given, **payload, "initial": start})
         for p in parameters:
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
-        shared = [p for p in parameters if beside is not None and beside.has_trait(p.name)]
-        for p in shared:
-            widgets.jslink((beside, p.name), (self, p.name))
-        own = [p.controls(self) for p in parameters if p not in shared]
-        self.panel = widgets.VBox([*own, self], layout={"width": "100%"})
+            if p not in own:
+                widgets.jslink((beside, p.name), (self, p.name))
+        self.panel = widgets.VBox([*(p.controls(self) for p in own), self], layout={"width": "100%"})
 
     def values(self) -> dict[str, Value]:
         """Return the parameters by name."""

@@ -15,8 +15,19 @@ function decoded(text) {
   }
 }
 
+// JupyterLab's address is its own.
+export const inLab = () => document.body.dataset.jpThemeLight !== undefined;
+
+// A page may show a system twice: the second is told apart by a number, unless it has a name of its own.
+export function nameOf(el) {
+  const { name, explorer } = el.dataset;
+  const twins = [...document.querySelectorAll(`[data-explorer="${explorer}"]`)];
+  const at = twins.indexOf(el);
+  return name ?? (at > 0 ? `${explorer}.${at + 1}` : explorer);
+}
+
 // The explorer's own part of the address, as texts by name.
-export function readAddress(name, hash = location.hash) {
+export function readAddress(name, hash = inLab() ? '' : location.hash) {
   const own = partsOf(hash).get(name);
   if (!own) return {};
   return Object.fromEntries(own.split(',').map((pair) => pair.split('=').map(decoded)).filter((pair) => pair.length === 2));
@@ -33,6 +44,7 @@ export function addressWith(name, values, hash = location.hash) {
 }
 
 export function writeAddress(name, values) {
+  if (inLab()) return;
   const hash = addressWith(name, values);
   // An anchor of the page stays until there is something to say.
   if (hash === location.hash || (!hash && partsOf(location.hash).size === 0)) return;

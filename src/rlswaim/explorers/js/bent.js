@@ -1,5 +1,5 @@
 // The vehicle bent in a closed-loop mode, at one phase of its motion or at several.
-import { FONT, multiples, write } from './canvas.js';
+import { multiples, write } from './canvas.js';
 
 const BORDER = { left: 16, right: 16, top: 14, bottom: 24 };
 const BODY = 7; // half the body's width on the picture
@@ -52,7 +52,6 @@ export function drawBent(g, width, height, theme, color, shape, phases, marks) {
   const reach = (height - BORDER.top - BORDER.bottom) / 2 - BODY - 4;
   const Y = (z) => middle + reach * z; // z is positive down, as in the report
   g.clearRect(0, 0, width, height);
-  g.font = FONT;
   g.lineJoin = 'round';
   scenery(g, theme, width, height, X, Y, last, marks);
   for (const side of [1, -1]) {

@@ -2,12 +2,18 @@
 
 export const FONT = '11px system-ui, sans-serif';
 
-// A canvas's context, one unit a CSS pixel.
+const prepared = new WeakSet();
+
+// A canvas's context, one unit a CSS pixel. Its font is set with its size alone: that is slow.
 export function contextOf(canvas, width, height) {
   const ratio = globalThis.devicePixelRatio || 1;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
-  if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
   const g = canvas.getContext('2d');
+  if (!prepared.has(canvas) || canvas.width !== w || canvas.height !== h) {
+    [canvas.width, canvas.height] = [w, h];
+    g.font = FONT;
+    prepared.add(canvas);
+  }
   g.setTransform(ratio, 0, 0, ratio, 0, 0);
   return g;
 }

@@ -1,5 +1,5 @@
 // Responses in time as small pictures side by side: one for each quantity, with axes and units.
-import { FONT, multiples, write } from './canvas.js';
+import { multiples, write } from './canvas.js';
 import { stepOf, tick } from './picture.js';
 
 const ROW = 118;
@@ -75,7 +75,6 @@ export function drawResponses(g, width, height, theme, times, responses, units) 
   const columns = columnsOf(width, names.length);
   const w = width / columns;
   g.clearRect(0, 0, width, height);
-  g.font = FONT;
   g.lineJoin = 'round';
   names.forEach((name, i) => {
     const box = { x: (i % columns) * w, y: Math.floor(i / columns) * ROW, w, h: ROW };

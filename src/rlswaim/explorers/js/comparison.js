@@ -48,7 +48,7 @@ class Side {
   }
 
   #show({ systems, designs }, at) {
-    if (at === this.at) return;
+    if (at === this.at || !designs[at]) return;
     if (this.bench) {
       this.bench.stop();
       writeAddress(this.bench.name, {}); // what was looked at goes with the design

@@ -97,3 +97,55 @@ export function onThemeChange(act) {
     media.removeEventListener('change', act);
   };
 }
+
+const REST = 150; // ms without a change, for a view that nobody sees
+
+// When to draw a view. What the hand changes is drawn at once, when all changes of its event are in; a second time in one
+// frame waits for the next frame, and so does what follows from the page's own layout. Off the screen it waits for rest.
+export class Drawing {
+  constructor(el, draw) {
+    Object.assign(this, { draw, frame: 0, due: false, seen: false, drawn: false });
+    this.watch = new IntersectionObserver((entries) => this.#note(entries.at(-1).isIntersecting), { rootMargin: '200px' });
+    this.watch.observe(el);
+  }
+
+  #note(seen) {
+    const shows = seen && !this.seen;
+    this.seen = seen;
+    if (shows) this.next();
+  }
+
+  #go() {
+    clearTimeout(this.rest);
+    this.due = false;
+    this.drawn = true;
+    this.draw();
+  }
+
+  #frame() {
+    this.due = true;
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      if (this.due) this.#go();
+    });
+  }
+
+  next() {
+    if (this.seen || !this.drawn) return this.#frame();
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => this.#frame(), REST);
+  }
+
+  now() {
+    const atOnce = this.seen && this.frame === 0;
+    this.next();
+    if (atOnce) queueMicrotask(() => this.due && this.#go());
+  }
+
+  stop() {
+    this.due = false;
+    this.watch.disconnect();
+    clearTimeout(this.rest);
+    cancelAnimationFrame(this.frame);
+  }
+}

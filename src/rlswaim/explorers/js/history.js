@@ -1,4 +1,5 @@
 // Undo and redo over snapshots of the state. A run of quick changes, such as a drag, is one step.
+import { button } from './dom.js';
 
 const QUIET = 400; // ms
 
@@ -44,4 +45,34 @@ export class History {
   stop() {
     clearTimeout(this.timer);
   }
+}
+
+// Ctrl+Z anywhere in a view or on its sliders, but not in a field that has an undo of its own.
+function undone(event, el, history) {
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
+  const room = el.closest('.side, .widget-vbox') ?? el;
+  if (!room.contains(event.target) || event.target.matches('input:not([type=range]), textarea')) return;
+  event.preventDefault();
+  if (event.shiftKey) history.redo();
+  else history.undo();
+}
+
+// Returns what stops listening.
+export function onUndoKeys(el, history) {
+  const keys = (event) => undone(event, el, history);
+  document.addEventListener('keydown', keys);
+  return () => document.removeEventListener('keydown', keys);
+}
+
+// Buttons for both, and what tells them how far they can go.
+export function undoButtons(history) {
+  const [undo, redo] = [
+    button('↶', () => history.undo(), { 'aria-label': 'undo', title: 'undo (Ctrl+Z)' }),
+    button('↷', () => history.redo(), { 'aria-label': 'redo', title: 'redo (Ctrl+Shift+Z)' }),
+  ];
+  const tell = () => {
+    undo.disabled = history.past.length === 0;
+    redo.disabled = history.future.length === 0;
+  };
+  return { undo, redo, tell };
 }

@@ -1,10 +1,13 @@
 // What the live views beside the root loci share: elements, words, colors, and the way from a change to a drawing.
-import { element, mix, onThemeChange, set } from './dom.js';
+import { Drawing, element, mix, onThemeChange, set } from './dom.js';
+import { keep } from './kept.js';
+
+const formats = Array.from({ length: 8 }, (_, count) => new Intl.NumberFormat('en', { maximumSignificantDigits: Math.max(count, 1) }));
 
 export function number(value, count = 4) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
-  if (value === 0 || (size >= 1e-3 && size < 1e12)) return value.toLocaleString('en', { maximumSignificantDigits: count }).replace('-', '−');
+  if (value === 0 || (size >= 1e-3 && size < 1e12)) return formats[count].format(value).replace('-', '−');
   const [digits, power] = value.toExponential(count - 1).split('e');
   const raised = [...power.replace('+', '')].map((d) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(d)]).join('');
   return `${Number(digits)}·10${raised}`.replace('-', '−');
@@ -62,8 +65,7 @@ export class Table {
   }
 }
 
-// Puts a view on the page. view: { nodes, canvases, draw(state, theme) }. All changes in a frame make one drawing, and
-// the same state always gives the same picture.
+// Puts a view on the page. view: { nodes, canvases, draw(state, theme, seen) }. The same state always gives the same picture.
 export function mount({ model, el }, view) {
   const payload = model.get('payload');
   el.classList.add('rlswaim-explorer');
@@ -74,40 +76,48 @@ export function mount({ model, el }, view) {
     button.addEventListener('click', () => apply(model, values));
     return button;
   });
-  const group = element('div', { class: 'buttons', role: 'group', 'aria-label': 'Presets' }, element('span', {}, 'Try'), ...buttons);
+  const kept = keep(model, payload, el, (values) => apply(model, values));
+  const group = element('div', { class: 'buttons', role: 'group', 'aria-label': 'Presets' }, element('span', {}, 'Try'), ...buttons, ...kept.nodes);
   const live = element('span', { class: 'unseen', role: 'status', 'aria-live': 'polite' });
   el.append(group, ...view.nodes, live);
 
-  let frame = 0;
   let theme;
+  let arrived = false;
   function draw() {
-    frame = 0;
     if (!view.canvases[0].clientWidth) return; // not on the page yet
+    if (!arrived) kept.arrive();
+    arrived = true;
     const start = performance.now();
     theme ??= themeOf(el, payload.colors);
     const state = Object.fromEntries(payload.parameters.map(({ name }) => [name, model.get(name)]));
-    const words = view.draw(state, theme);
+    const words = view.draw(state, theme, drawing.seen);
     set(live, words);
     const same = (values) => Object.entries(values).every(([name, value]) => state[name] === value);
     entries.forEach(({ values }, i) => buttons[i].setAttribute('aria-pressed', i < entries.length - 1 && same(values)));
     const detail = { ms: performance.now() - start, ...view.detail };
     el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail }));
   }
-  const schedule = () => (frame ||= requestAnimationFrame(draw));
+  const drawing = new Drawing(el, draw);
+  const follow = () => drawing.next();
+  const changed = () => {
+    kept.note();
+    drawing.now();
+  };
   const names = payload.parameters.map(({ name }) => `change:${name}`);
-  for (const name of names) model.on(name, schedule);
-  const resized = new ResizeObserver(schedule);
+  for (const name of names) model.on(name, changed);
+  const resized = new ResizeObserver(follow);
   for (const canvas of view.canvases) resized.observe(canvas);
   const unwatch = onThemeChange(() => {
     theme = undefined;
-    schedule();
+    follow();
   });
-  view.redraw = schedule;
+  view.redraw = follow;
   return () => {
-    cancelAnimationFrame(frame);
+    drawing.stop();
+    kept.stop();
     resized.disconnect();
     unwatch();
     view.stop?.();
-    for (const name of names) model.off(name, schedule);
+    for (const name of names) model.off(name, changed);
   };
 }

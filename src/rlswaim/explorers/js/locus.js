@@ -92,13 +92,19 @@ function once(system, key, make) {
 
 const placesOf = (system, state) => system.parameters.map(({ name }) => state[name]).join();
 
+// Made when it is asked for, and kept.
+function lazy(make) {
+  let value;
+  return () => (value ??= make());
+}
+
 // The open loop with what its own polynomials tell: it stays while its gain runs.
 function loopOf(system, state, what) {
   const { running, off = [], of = 'poles', gain } = what;
   const still = withoutGains(state, [...off, running, gain ?? running]);
   return once(system, `loop ${running} ${of} ${placesOf(system, still)}`, () => {
     const loop = openLoop(system, state, what);
-    return { ...loop, breaks: breakAways(loop), crossings: crossings(loop), zeros: roots(loop.N) };
+    return { ...loop, breaks: breakAways(loop), crossings: lazy(() => crossings(loop)), zeros: lazy(() => roots(loop.N)) };
   });
 }
 
@@ -480,9 +486,9 @@ function runningGain(system, state, what) {
     end: sign * last,
     back: [t, ...before.reverse()],
     forth: [t, ...nodes.filter((size) => size > t * sign).map((size) => size * sign)],
-    zeros: loop.zeros,
+    zeros: loop.zeros(),
     breaks,
-    crossings: () => loop.crossings.filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
+    crossings: () => loop.crossings().filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
   };
 }
 
@@ -650,7 +656,7 @@ export function margins(system, state, what = lastLoop(system)) {
   const { D, N, crossings: crossed } = loopOf(system, state, what);
   const k = state[what.running];
   if (k === 0 || N.every((v) => v === 0)) return null;
-  const gain = crossed
+  const gain = crossed()
     .map((c) => ({ factor: c.gain / k, dB: decibels(c.gain / k), omega: c.omega }))
     .filter(({ factor }) => factor > 0);
   const square = (c) => {

@@ -16,7 +16,7 @@ export class ModePanel {
     this.pause = button('Pause', () => this.#toggle(), { 'aria-pressed': 'false' });
     this.shares = element('ul', { class: 'shares' });
     const row = element('div', { class: 'controls' }, this.list.node, this.pause);
-    this.panel = panel('mode', 'Mode shape', () => bench.schedule(), row, this.canvas, this.shares);
+    this.panel = panel('mode', 'Mode shape', () => bench.follow(), row, this.canvas, this.shares);
     this.node = this.panel.node;
     this.still = matchMedia('(prefers-reduced-motion: reduce)').matches;
     this.pause.hidden = this.still;
@@ -25,7 +25,7 @@ export class ModePanel {
   #toggle() {
     this.paused = !this.paused;
     press(this.pause, this.paused);
-    this.bench.schedule();
+    this.bench.follow();
   }
 
   draw(width, closed) {

@@ -21,7 +21,7 @@ export class MapPanel {
     const { system } = bench;
     this.canvas = element('canvas', { role: 'img', 'data-plane': 'map' });
     this.list = select('Station of', system.maps.map((name, i) => [i, name]), (at) => bench.look({ map: Number(at) }));
-    this.panel = panel('map', 'Pole map', () => bench.schedule(), element('div', { class: 'controls' }, this.list.node), this.canvas);
+    this.panel = panel('map', 'Pole map', () => bench.follow(), element('div', { class: 'controls' }, this.list.node), this.canvas);
     if (system.maps.length < 2) this.list.node.parentNode.hidden = true;
     this.node = this.panel.node;
     this.sides = [];
@@ -111,7 +111,7 @@ export class ResponsePanel {
       duration: select('over', DURATIONS.map((s) => [s, `${s} s`]), number_('duration')),
     };
     const row = element('div', { class: 'controls' }, ...Object.values(this.lists).map(({ node }) => node));
-    this.panel = panel('responses', 'Responses', () => bench.schedule(), row, this.canvas);
+    this.panel = panel('responses', 'Responses', () => bench.follow(), row, this.canvas);
     this.node = this.panel.node;
     this.#choices();
   }

@@ -1,5 +1,5 @@
 // Draws the upper half of the s plane: what lies below the real axis mirrors it. On a canvas, or as SVG.
-import { FONT, multiples, polygon, write } from './canvas.js';
+import { multiples, polygon, write } from './canvas.js';
 import { number } from './dom.js';
 import { ladder } from './window.js';
 
@@ -35,7 +35,6 @@ export function tick(value, step) {
 export class Picture {
   constructor(g, view, theme) {
     Object.assign(this, { g, view, theme });
-    g.font = FONT;
     g.lineJoin = 'round';
   }
 

@@ -1,5 +1,5 @@
 // A plane with two axes on a canvas. Ranges are [left, right] and [bottom, top] in the quantities' units.
-import { FONT, contextOf, multiples, polygon, write } from './canvas.js';
+import { contextOf, multiples, polygon, write } from './canvas.js';
 
 const PAD = { left: 50, right: 12, top: 10, bottom: 36 };
 
@@ -26,7 +26,6 @@ export class Plot {
     this.sx = (width - pad.left - pad.right) / (x[1] - x[0]);
     this.sy = (height - pad.top - pad.bottom) / (y[1] - y[0]);
     const g = (this.g = contextOf(canvas, width, height));
-    g.font = FONT;
     g.lineJoin = 'round';
     g.clearRect(0, 0, width, height);
   }

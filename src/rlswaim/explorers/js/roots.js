@@ -24,7 +24,12 @@ export function subtract(a, b) {
 // Moves n distinct points to the n roots of c, all at once (Aberth's method). Unlike Newton's, two of them never fall
 // on one root, so branches stay apart at break-away points. A point rests once |p| is as small as rounding allows, or
 // after a step shorter than `close` times the distance to its neighbor: what is left is then smaller by close^2 again.
+// Where Aberth's correction has a pole a step would lead anywhere, powers of it overflow: none is longer than a few times
+// the size of the largest root.
 export function refine(c, n, x, y, close = 1e-6) {
+  let reach = 0;
+  for (let i = 0; i < n; i++) reach = Math.max(reach, x[i] * x[i] + y[i] * y[i]);
+  const longest = 16 * reach || Infinity;
   let left = 2 ** n - 1; // one bit for each point that still moves
   for (let sweep = 0; left && sweep < 80; sweep++) {
     for (let i = 0; i < n; i++) {
@@ -65,8 +70,9 @@ export function refine(c, n, x, y, close = 1e-6) {
         sy += ey / q;
       }
       q = sx * sx + sy * sy || 1e-300;
-      x[i] -= sx / q;
-      y[i] += sy / q;
+      const step = q * longest < 1 ? Math.sqrt(longest / q) : 1 / q;
+      x[i] -= sx * step;
+      y[i] += sy * step;
       if (1 <= q * close * close * gap) left &= ~(1 << i);
     }
   }
@@ -165,7 +171,9 @@ export function pairing(ax, ay, bx, by, partner) {
     for (let j = 0; j < n; j++) {
       const ex = ax[i] - bx[j];
       const ey = ay[i] - by[j];
-      const d = (cost[i * MOST + j] = held && (bx[j] !== 0 || by[j] !== 0) ? NEVER : ex * ex + ey * ey);
+      const far = ex * ex + ey * ey;
+      const may = far < NEVER && !(held && (bx[j] !== 0 || by[j] !== 0));
+      const d = (cost[i * MOST + j] = may ? far : NEVER);
       if (d < us[i]) {
         us[i] = d;
         partner[i] = j;

@@ -53,6 +53,9 @@ function calculator(code, receive) {
       if (worker) worker.postMessage({ id, plan });
       else here();
     },
+    halt() {
+      id += 1; // what still comes of the last plan is not taken
+    },
     stop() {
       id += 1;
       worker?.terminate();
@@ -64,7 +67,7 @@ function render({ model, el }) {
   const payload = model.get('payload');
   const gains = payload.parameters.map(({ name }) => name).filter((name) => !STATIONS_OF.includes(name));
   const palette = payload.palette.map((hex) => Number.parseInt(hex.slice(5) + hex.slice(3, 5) + hex.slice(1, 3), 16) | 0xff000000);
-  let [plan, key, cursor] = [null, '', null];
+  let [plan, key, started, cursor] = [null, '', false, null];
   let pictures = []; // of the last fineness that is whole, and of the one that comes in
   let last = null; // the last fineness that is whole
 
@@ -83,19 +86,26 @@ function render({ model, el }) {
     ['◌', 'the keyboard’s mark: arrow keys move it (with Shift ten feet), Enter picks'],
   ]);
 
-  // A picture of one fineness: a pixel for each pair, see-through where it has not come yet.
+  // A picture of one fineness: a pixel for each pair, see-through where it has not come yet. Two of each serve in turn.
+  const made = new Map();
   function pictureOf(step) {
     const side = Math.ceil(STATIONS / step);
-    const canvas = element('canvas', { width: side, height: side });
-    return { step, side, canvas, line: canvas.getContext('2d').createImageData(side, 1) };
+    const [old, idle] = made.get(step) ?? [];
+    const canvas = idle?.canvas ?? element('canvas', { width: side, height: side });
+    const g = idle?.g ?? canvas.getContext('2d', { willReadFrequently: true }); // a canvas in plain memory: rows go in fast
+    const line = idle?.line ?? g.createImageData(side, 1);
+    g.clearRect(0, 0, side, side);
+    const picture = { step, side, canvas, g, line };
+    made.set(step, [picture, old]);
+    return picture;
   }
 
   function paint({ step, jet, values }) {
     if (pictures.at(-1)?.step !== step) pictures = [...pictures.slice(-1), pictureOf(step)];
-    const { side, canvas, line } = pictures.at(-1);
+    const { side, g, line } = pictures.at(-1);
     const pixels = new Int32Array(line.data.buffer);
     values.forEach((value, n) => (pixels[n] = palette[Math.round(share(value) * (palette.length - 1))]));
-    canvas.getContext('2d').putImageData(line, 0, side - 1 - jet / step);
+    g.putImageData(line, 0, side - 1 - jet / step);
   }
 
   function receive(found) {
@@ -115,13 +125,16 @@ function render({ model, el }) {
   }
   const machine = calculator(payload.worker, receive);
 
-  function restart(state) {
+  function restart(state, seen) {
     const now = JSON.stringify(gains.map((name) => state[name]));
-    if (now === key) return;
-    key = now;
-    plan = planOf(payload, Object.fromEntries(gains.map((name) => [name, state[name]])));
-    [pictures, last] = [pictures.slice(-1), null];
-    machine.start(plan);
+    if (now !== key) {
+      key = now;
+      plan = planOf(payload, Object.fromEntries(gains.map((name) => [name, state[name]])));
+      [pictures, last, started] = [pictures.slice(-1), null, false];
+      machine.halt();
+    }
+    if (seen && !started) machine.start(plan);
+    started ||= seen;
   }
 
   function drawMap(state, theme) {
@@ -184,8 +197,8 @@ function render({ model, el }) {
   }
 
   let plot;
-  function draw(state, theme) {
-    restart(state);
+  function draw(state, theme, seen) {
+    restart(state, seen);
     plot = drawMap(state, theme);
     drawScale(theme);
     const pair = rootsAt(plan, state.sensor, state.jet);

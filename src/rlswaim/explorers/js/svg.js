@@ -1,10 +1,11 @@
 // A drawing context that writes SVG: it takes the calls that the pictures make of a canvas.
+import { FONT } from './canvas.js';
 
 const round = (v) => Number(v.toFixed(2));
 const escaped = (text) => String(text).replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 const ANCHORS = { left: 'start', center: 'middle', right: 'end' };
 const PLAIN = {
-  fillStyle: '#000', strokeStyle: '#000', lineWidth: 1, font: '', lineJoin: 'miter', textAlign: 'left', textBaseline: 'middle', globalAlpha: 1,
+  fillStyle: '#000', strokeStyle: '#000', lineWidth: 1, font: FONT, lineJoin: 'miter', textAlign: 'left', textBaseline: 'middle', globalAlpha: 1,
 };
 
 export class SvgContext {

@@ -1,9 +1,9 @@
 // The workbench: parameters in; pictures, table and words out. The same state always gives the same picture.
-import { readAddress, writeAddress } from './address.js';
+import { inLab, nameOf, readAddress, writeAddress } from './address.js';
 import { Desk } from './desk.js';
-import { button, buttons, element, onThemeChange, panel, press, select, set, symbol, themeOf } from './dom.js';
+import { Drawing, button, buttons, element, onThemeChange, panel, press, select, set, symbol, themeOf } from './dom.js';
 import { copy, download, pythonOf, svgOf } from './export.js';
-import { History } from './history.js';
+import { History, onUndoKeys, undoButtons } from './history.js';
 import { closedLoop, margins } from './locus.js';
 import { LocusPlane, MAGNIFY } from './locusplane.js';
 import { ModePanel } from './modepanel.js';
@@ -15,9 +15,10 @@ const LAG = 160; // ms until words that nobody watches follow the picture
 
 export class Workbench {
   constructor(model, el) {
-    Object.assign(this, { model, el, system: model.get('payload'), desk: new Desk(model), width: 0, frame: 0 });
-    this.schedule = () => (this.frame ||= requestAnimationFrame(() => this.#draw()));
-    this.past = new History(() => this.desk.snapshot(), (state) => this.#restore(state), () => this.#tellHistory());
+    Object.assign(this, { model, el, system: model.get('payload'), desk: new Desk(model), width: 0 });
+    this.drawing = new Drawing(el, () => this.#draw());
+    this.past = new History(() => this.desk.snapshot(), (state) => this.#restore(state), () => this.steps.tell());
+    this.steps = undoButtons(this.past);
     this.plane = new LocusPlane(this);
     this.map = new MapPanel(this);
     this.responses = new ResponsePanel(this);
@@ -70,11 +71,9 @@ export class Workbench {
       this.desk.set({ magnify: Number(m) });
       this.#changed();
     });
-    this.undo = button('↶', () => this.past.undo(), { 'aria-label': 'undo', title: 'undo (Ctrl+Z)' });
-    this.redo = button('↷', () => this.past.redo(), { 'aria-label': 'redo', title: 'redo (Ctrl+Shift+Z)' });
     this.said = element('span', { class: 'said', 'aria-live': 'polite' });
-    const link = button('Copy link', () => this.#copy(this.#link(), 'link'), { hidden: this.#inLab() });
-    const steps = element('span', { class: 'steps' }, this.undo, this.redo, link, this.said);
+    const link = button('Copy link', () => this.#copy(this.#link(), 'link'), { hidden: inLab() });
+    const steps = element('span', { class: 'steps' }, this.steps.undo, this.steps.redo, link, this.said);
     return element('div', { class: 'bar' }, this.loci.node, this.inset.node, steps);
   }
 
@@ -89,16 +88,8 @@ export class Workbench {
     return panel('takeaway', 'Take away: picture, poles, Python', () => this.#tellLater(), row, shown).node;
   }
 
-  #inLab() {
-    return document.body.dataset.jpThemeLight !== undefined;
-  }
-
-  // A page may show a system twice: the second is told apart by a number, unless it has a name of its own.
   get name() {
-    if (this.el.dataset.name) return this.el.dataset.name;
-    const twins = [...document.querySelectorAll(`[data-explorer="${this.system.system}"]`)];
-    const at = twins.indexOf(this.el);
-    return at > 0 ? `${this.system.system}.${at + 1}` : this.system.system;
+    return nameOf(this.el);
   }
 
   #link() {
@@ -151,23 +142,22 @@ export class Workbench {
     return part.node.open && this.seen.get(part.canvas);
   }
 
+  // What follows from the page, not from the hand, is drawn with its next frame.
+  follow() {
+    this.drawing.next();
+  }
+
   #changed() {
     this.past.note();
-    this.schedule();
+    this.drawing.now();
   }
 
   #restore(snapshot) {
     this.desk.restore(snapshot);
-    this.schedule();
-  }
-
-  #tellHistory() {
-    this.undo.disabled = this.past.past.length === 0;
-    this.redo.disabled = this.past.future.length === 0;
+    this.drawing.now();
   }
 
   #draw() {
-    this.frame = 0;
     if (this.width === 0) return; // not on the page yet
     const start = performance.now();
     const { desk, system } = this;
@@ -217,16 +207,15 @@ export class Workbench {
   }
 
   #writeAddress() {
-    if (!this.#inLab()) writeAddress(this.name, this.desk.toAddress());
+    writeAddress(this.name, this.desk.toAddress());
   }
 
   #readAddress() {
-    if (this.#inLab()) return;
     const texts = readAddress(this.name);
     if (Object.keys(texts).length === 0) return;
     this.desk.fromAddress(texts);
     if ('view.mode' in texts) this.mode.node.open = true;
-    this.schedule();
+    this.follow();
   }
 
   #arrive() {
@@ -234,7 +223,7 @@ export class Workbench {
     this.arrived = true;
     this.#readAddress();
     this.past.present = this.desk.snapshot();
-    this.#tellHistory();
+    this.steps.tell();
   }
 
   #listen() {
@@ -248,14 +237,13 @@ export class Workbench {
     for (const canvas of this.seen.keys()) watch.observe(canvas);
     const unwatch = onThemeChange(() => {
       this.theme = themeOf(el, this.system); // at once: the mode that swings doesn't wait for the drawing
-      this.schedule();
+      this.follow();
     });
-    const keys = (event) => this.#key(event);
+    const unkey = onUndoKeys(el, this.past);
     const address = () => this.#readAddress();
-    document.addEventListener('keydown', keys);
     addEventListener('hashchange', address);
     this.stop = () => {
-      cancelAnimationFrame(this.frame);
+      this.drawing.stop();
       clearTimeout(this.timer);
       this.past.stop();
       this.plane.stop();
@@ -263,7 +251,7 @@ export class Workbench {
       this.map.stop();
       for (const observer of [resized, watch]) observer.disconnect();
       unwatch();
-      document.removeEventListener('keydown', keys);
+      unkey();
       removeEventListener('hashchange', address);
       for (const name of names) model.off(`change:${name}`, changed);
     };
@@ -274,21 +262,11 @@ export class Workbench {
     const { clientWidth, clientHeight } = this.plane.canvas;
     [this.width, this.height] = [clientWidth, clientHeight];
     this.inner = Math.max(...[...this.seen.keys()].map((canvas) => canvas.clientWidth)) || clientWidth;
-    this.schedule();
+    this.follow();
   }
 
   #noteSeen(entries) {
     for (const { target, isIntersecting } of entries) this.seen.set(target, isIntersecting);
-    if (entries.some(({ isIntersecting }) => isIntersecting)) this.schedule();
-  }
-
-  // Ctrl+Z anywhere in the workbench or on its sliders, but not in a field that has an undo of its own.
-  #key(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
-    const room = this.el.closest('.side, .widget-vbox') ?? this.el;
-    if (!room.contains(event.target) || event.target.matches('input:not([type=range]), textarea')) return;
-    event.preventDefault();
-    if (event.shiftKey) this.past.redo();
-    else this.past.undo();
+    if (entries.some(({ isIntersecting }) => isIntersecting)) this.follow();
   }
 }
