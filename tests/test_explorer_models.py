@@ -223,12 +223,9 @@ def page(browser: Browser) -> Iterator[Page]:
 
 
 def run(page: Page, body: str, section: str, *arguments: object):
-    """Evaluate a function of a section's system and more in the page; typed arrays come back as lists.
-
-    A traced point keeps what led to it (``before``): that stays in the page.
-    """
+    """Evaluate a function of a section's system and more in the page; typed arrays come back as lists."""
     wrapped = f"""([section, ...given]) => JSON.stringify(({body})(systems[section], ...given),
-        (key, value) => (key === 'before' ? undefined : ArrayBuffer.isView(value) ? [...value] : value))"""
+        (key, value) => (ArrayBuffer.isView(value) ? [...value] : value))"""
     return json.loads(page.evaluate(wrapped, [section, *arguments]))
 
 

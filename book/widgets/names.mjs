@@ -32,7 +32,7 @@ export function nameControls(view) {
       set(handle, 'aria-valuetext', readout?.textContent);
       set(handle, 'aria-disabled', String(model.get('disabled')));
     });
-    if (readout && !view.handleTextChange) readout.contentEditable = 'false'; // typing in it would change nothing
+    if (readout && !view.handleTextChange) set(readout, 'contenteditable', 'false'); // typing in it would change nothing
     if (readout?.isContentEditable) {
       set(readout, 'role', 'textbox');
       set(readout, 'aria-label', `${name}, value`.replace(/^, /, ''));

@@ -24,6 +24,14 @@ controls.PlayView.prototype.updatePlaying = function () {
   icon.classList.toggle('fa-pause', this.model.get('playing'));
 };
 
+// The readout is written four times a move, each time as a new node, and a new node makes the browser look through the
+// style of the whole cell: change the text that is there.
+controls.SelectionSliderView.prototype.updateReadout = function (index) {
+  const text = this.model.get('_options_labels')[index];
+  const node = this.readout.firstChild ?? this.readout.appendChild(new Text());
+  if (node.data !== text) node.data = text;
+};
+
 const STATE = 'script[type="application/vnd.jupyter.widget-state+json"]';
 const VIEW = 'script[type="application/vnd.jupyter.widget-view+json"]';
 

@@ -15,7 +15,12 @@ export function symbol(name) {
   return index ? [element('i', {}, letter), element('sub', {}, index)] : [letter];
 }
 
-export const set = (node, text) => node.textContent === text || (node.textContent = text);
+// Changes the text that is there: a new text in place of it would cost the page much more.
+export function set(node, text) {
+  const only = node.firstChild;
+  if (!(only instanceof Text) || only.nextSibling) node.textContent = text;
+  else if (only.data !== text) only.data = text;
+}
 
 export function press(button, pressed) {
   if (button.getAttribute('aria-pressed') !== String(pressed)) button.setAttribute('aria-pressed', pressed);

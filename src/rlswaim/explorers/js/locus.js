@@ -180,6 +180,8 @@ const twin = (x, y, i, j) => y[i] * y[j] < 0 && Math.abs(y[i] + y[j]) < 1e-6 * M
 const NEAR = 0.1;
 const DEEPEST = 28;
 
+let made = 0;
+
 // A point of a trace: the roots, and for each root the square of the distance to the next one, infinite where two coincide.
 function pointOf(t, x, y) {
   const n = x.length;
@@ -200,8 +202,9 @@ function pointOf(t, x, y) {
     gap[i] = Infinity;
     apart = false;
   }
-  // kx, ky: as x, y, but of roots that coincide where each came from; turns: how often the order has changed.
-  return { t, x, y, gap, apart, kx: x, ky: y, clear: false, far: false, turns: 0, before: null, seen: 0 };
+  // kx, ky: as x, y, but of roots that coincide where each came from; turns: how often the order has changed; follows: which
+  // point it was put in order after (by number: points that held each other would all stay), and how that stood then.
+  return { t, x, y, gap, apart, kx: x, ky: y, clear: false, far: false, turns: 0, number: made++, follows: -1, seen: 0 };
 }
 
 // Follows all roots along a curve { fill(t, c), middle(a, b), breaks } from one value of t to another, halving each step
@@ -254,8 +257,9 @@ function tracer(curve, n, view) {
   // Puts a point's roots in the order of the point before. Two that coincide can't tell which is which: the next
   // point then asks where they came from.
   function order(before, point) {
-    if (point.before === before && point.seen === before.turns) return;
-    [point.before, point.seen] = [before, before.turns];
+    if (point.follows === before.number && point.seen === before.turns) return;
+    point.follows = before.number;
+    point.seen = before.turns;
     compare(before, point);
     if (!point.clear) {
       pairing(before.kx, before.ky, point.x, point.y, partner);

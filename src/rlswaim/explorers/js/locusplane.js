@@ -152,7 +152,7 @@ export class LocusPlane {
     const { system, desk, theme, model } = this.bench;
     const { state, what, view: { camera, printed } } = desk;
     this.view = camera ? windowOf(camera, width, height) : fitted(this.#worthSeeing(closed), width, height);
-    this.locus = rootLocus(system, state, this.view, what);
+    this.locus = this.trace(state);
     const magnify = model.get('magnify');
     this.inset = null;
     if (magnify > 1) {
@@ -164,6 +164,11 @@ export class LocusPlane {
     this.#place();
     this.#say(state, what, theme);
     return this.locus;
+  }
+
+  // The locus in the present window.
+  trace(state) {
+    return rootLocus(this.bench.system, state, this.view, this.bench.desk.what);
   }
 
   paint(g, theme = this.bench.theme) {

@@ -19,7 +19,9 @@ class Figure {
     const text = Number.isNaN(value) ? '–' : digits(value, 8);
     const end = text.includes('e') ? text.indexOf('e') : text.length;
     const kept = end > 3 ? end - 3 : end;
-    [text.slice(0, kept), text.slice(kept, end), text.slice(end)].forEach((part, k) => (this.parts[k].data = part));
+    [text.slice(0, kept), text.slice(kept, end), text.slice(end)].forEach((part, k) => {
+      if (this.parts[k].data !== part) this.parts[k].data = part;
+    });
   }
 }
 

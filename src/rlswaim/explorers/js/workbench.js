@@ -8,6 +8,7 @@ import { closedLoop, margins } from './locus.js';
 import { LocusPlane, MAGNIFY } from './locusplane.js';
 import { ModePanel } from './modepanel.js';
 import { helpPanel, legend, MapPanel, ResponsePanel } from './panels.js';
+import { practise } from './practice.js';
 import { PoleTable, polesAsText } from './table.js';
 import { crossingWords, marginWords, printedWords, verdict } from './words.js';
 
@@ -170,6 +171,8 @@ export class Workbench {
     this.el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail: { ms: performance.now() - start } }));
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.#tellLater(), LAG);
+    if (!this.practised) practise(system, desk.state, (state) => this.plane.trace(state));
+    this.practised = true;
   }
 
   #tell() {
