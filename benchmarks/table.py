@@ -44,7 +44,8 @@ LIVE = """
 
 Each view of the book in Chromium, on the built pages: all its sliders are moved by keys, a press every
 other frame, and the first one is dragged by the mouse. "Key to picture" runs from the key press to the
-finished drawing; the browser starts to draw with its next frame, every 16.7 ms. The usual way,
+finished drawing: a view draws before the key's event is over, and the browser shows it with its next frame,
+every 16.7 ms. "Compute and draw" is that part of it which is the view's own. The usual way,
 `interactive_output` with `control.root_locus_plot` through a real kernel, takes {usual:.0f} ms (median; 95
 percent within {usual_95:.0f} ms) from a slider's message to the picture's, the browser's own work not
 counted; the ratio is that median over ours. The widget runtime has {runtime:.0f} kB gzipped, for the whole
@@ -54,6 +55,8 @@ book.
 |---|---:|---:|---:|---:|---:|---:|
 """
 PAGES = """
+From opening a page (empty cache, a server on the same machine) to its first view's picture, which a hand can then move:
+
 | page | first picture after (ms) | own data and code (kB gzipped) |
 |---|---:|---:|
 """

@@ -152,7 +152,7 @@ export class LocusPlane {
     const { system, desk, theme, model } = this.bench;
     const { state, what, view: { camera, printed } } = desk;
     this.view = camera ? windowOf(camera, width, height) : fitted(this.#worthSeeing(closed), width, height);
-    this.locus = this.trace(state);
+    this.locus = rootLocus(system, state, this.view, what);
     const magnify = model.get('magnify');
     this.inset = null;
     if (magnify > 1) {
@@ -166,9 +166,12 @@ export class LocusPlane {
     return this.locus;
   }
 
-  // The locus in the present window.
-  trace(state) {
-    return rootLocus(this.bench.system, state, this.view, this.bench.desk.what);
+  // The locus of a state in the present window, drawn where nobody sees it.
+  rehearse(state) {
+    const { system, desk, theme } = this.bench;
+    this.spare ??= element('canvas');
+    const g = contextOf(this.spare, this.view.width, this.view.height);
+    drawLocus(g, this.view, theme, rootLocus(system, state, this.view, desk.what), this.extra);
   }
 
   paint(g, theme = this.bench.theme) {

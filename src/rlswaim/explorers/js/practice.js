@@ -1,16 +1,16 @@
-// Traces what nobody asked for while the page rests: the first moves of a hand then find the code compiled. Once a page.
+// Draws what nobody asked for while the page rests: the first moves of a hand then find the code compiled. Once a page.
 const ROUNDS = 150;
 const SPARE = 3; // ms of rest that a round wants
 
 let left = ROUNDS;
 
-// trace: takes a state. Each round changes one of the gains by a little.
-export function practise({ running }, state, trace) {
+// draw: takes a state. Each round changes one of the gains by a little.
+export function practise({ running }, state, draw) {
   const gains = Object.keys(running).filter((name) => running[name].magnitudes);
   const go = (rest) => {
     for (; left > 0 && rest.timeRemaining() > SPARE; left--) {
       const name = gains[left % gains.length];
-      trace({ ...state, [name]: state[name] * (1 + 1e-3 * left) });
+      draw({ ...state, [name]: state[name] * (1 + 1e-3 * left) });
     }
     if (left > 0) requestIdleCallback(go);
   };

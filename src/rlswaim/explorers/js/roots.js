@@ -126,15 +126,21 @@ export function flatten(x, y) {
   }
 }
 
-// A polynomial without a constant term has a root at the origin itself.
+// A polynomial without a constant term has a root at the origin itself: the nearest one there is it.
 export function anchor(c, x, y) {
-  for (let m = 0; c[m] === 0 && m < x.length; m++) {
-    let least = -1;
-    for (let i = 0; i < x.length; i++) {
-      if ((x[i] !== 0 || y[i] !== 0) && (least < 0 || Math.hypot(x[i], y[i]) < Math.hypot(x[least], y[least]))) least = i;
+  const n = x.length;
+  let missing = 0;
+  while (missing < n && c[missing] === 0) missing++;
+  if (missing === 0) return;
+  for (let i = 0; i < n; i++) if (x[i] === 0 && y[i] === 0) missing--;
+  for (; missing > 0; missing--) {
+    let nearest = -1;
+    let least = Infinity;
+    for (let i = 0; i < n; i++) {
+      const size = x[i] * x[i] + y[i] * y[i];
+      if (size < least && (x[i] !== 0 || y[i] !== 0)) [nearest, least] = [i, size];
     }
-    const there = x.filter((v, i) => v === 0 && y[i] === 0).length;
-    if (there <= m && least >= 0) x[least] = y[least] = 0;
+    x[nearest] = y[nearest] = 0;
   }
 }
 
