@@ -55,7 +55,8 @@ book.
 |---|---:|---:|---:|---:|---:|---:|
 """
 PAGES = """
-From opening a page (empty cache, a server on the same machine) to its first view's picture, which a hand can then move:
+From opening a page (empty cache, a server on the same machine) to its first view's picture, which a hand
+can then move:
 
 | page | first picture after (ms) | own data and code (kB gzipped) |
 |---|---:|---:|

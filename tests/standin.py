@@ -10,6 +10,7 @@ from scipy.optimize import linear_sum_assignment
 
 from rlswaim.explorers import Explorer
 
+SITE = "http://view.test/"
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
 
 
@@ -26,14 +27,15 @@ def model_state(explorer: Explorer) -> dict:
 
 
 @contextmanager
-def opened(browser: Browser, explorer: Explorer, address: str = "", **context) -> Iterator[Page]:
-    """Show the view on a page of its own; anything that the page complains about is an error."""
+def opened(browser: Browser, explorer: Explorer, address: str = SITE, **context) -> Iterator[Page]:
+    """Show the view on an empty page of its own; anything that the page complains about is an error."""
     page = browser.new_context(**{"viewport": {"width": 900, "height": 900}, **context}).new_page()
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
-    if address:
-        page.goto(address)
+    blank = "<!doctype html><title>view</title>"
+    page.route(SITE, lambda route: route.fulfill(body=blank, content_type="text/html"))
+    page.goto(address)
     page.evaluate(MODEL, [explorer._esm, explorer._css, model_state(explorer)])
     yield page
     assert not errors, errors

@@ -298,8 +298,12 @@ class TestKeyboard:
         assert page.get_by_role("button", name="redo").is_disabled()
 
     def test_a_drag_is_one_step(self, page):
+        page.mouse.move(2, 2)
+        page.mouse.down()
         for K_A in np.linspace(2, 4, 9):
             show(page, K_A=float(K_A))
+            page.wait_for_timeout(500 if K_A == 3 else 0)  # the hand may rest
+        page.mouse.up()
         page.wait_for_timeout(500)
         one(page, page.get_by_role("button", name="undo").click)
         assert page.evaluate("state.K_A") == 1.8
@@ -426,6 +430,15 @@ class TestTakeAway:
         page.get_by_role("button", name="Copy link").click()
         page.wait_for_function("window.got")
         assert "#rate-attitude:K_A=3," in page.evaluate("window.got")
+
+
+def test_rehearsing_shows_nothing(browser, explorer):
+    with opened(browser, explorer) as page:
+        page.wait_for_timeout(50)
+        before = picture(page), table(page).tolist(), page.evaluate("[location.hash, JSON.stringify(state)]")
+        page.evaluate("() => new Promise((done) => setTimeout(() => requestIdleCallback(done), 1500))")
+        after = picture(page), table(page).tolist(), page.evaluate("[location.hash, JSON.stringify(state)]")
+        assert after == before
 
 
 class TestEveryControlSystem:

@@ -1,7 +1,12 @@
-// Undo and redo over snapshots of the state. A run of quick changes, such as a drag, is one step.
+// Undo and redo over snapshots of the state. A drag, however long the hand rests in it, or a run of quick changes is one step.
 import { button } from './dom.js';
 
 const QUIET = 400; // ms
+
+let held = false; // is a button or a finger down?
+for (const [event, now] of [['pointerdown', true], ['pointerup', false], ['pointercancel', false]]) {
+  addEventListener(event, () => (held = now), { capture: true, passive: true });
+}
 
 export class History {
   constructor(read, write, changed) {
@@ -12,7 +17,7 @@ export class History {
   // Something changed: a step ends when nothing more changes for a while.
   note() {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.settle(), QUIET);
+    this.timer = setTimeout(() => (held ? this.note() : this.settle()), QUIET);
   }
 
   settle() {
