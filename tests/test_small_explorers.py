@@ -69,6 +69,14 @@ def shown(request: pytest.FixtureRequest, browser: Browser) -> Iterator[tuple[Pa
         yield page, view_of(request.param)
 
 
+@pytest.fixture(params=MAKERS)
+def fresh(request: pytest.FixtureRequest, browser: Browser) -> Iterator[tuple[Page, LiveView]]:
+    """The same, on a page that nobody has touched."""
+    with opened(browser, view_of(request.param)) as page:
+        page.wait_for_function("document.querySelector('table tbody tr')")
+        yield page, view_of(request.param)
+
+
 def show(page: Page, **values: object) -> dict:
     """Set values of the model and wait for the drawing; they must differ from the present ones."""
     return page.evaluate(
@@ -148,19 +156,16 @@ class TestEveryView:
         assert counts == [1, 1, 2], "at once, then once more with the next frame"
         page.get_by_role("button", name="Reset").click()
 
-    def test_undo_redo_and_the_address(self, shown):
-        page, view = shown
+    def test_undo_redo_and_the_address(self, fresh):
+        page, view = fresh
         own = [p for p in view.parameters if not isinstance(p.grid[0], str)]
         start = {p.name: view.payload["initial"][p.name] for p in own}
         values = "names => names.map(name => state[name])"
-        page.get_by_role("button", name="Reset").click()
-        page.wait_for_function("() => !location.hash")
-        page.wait_for_timeout(450)  # a step of the history ends where the hand rests
         first, last = own[0], own[-1]
         places = {p.name: next(v for v in p.grid if v != start[p.name]) for p in (first, last)}
         for name, value in places.items():
             show(page, **{name: value})
-            page.wait_for_timeout(450)
+            page.wait_for_timeout(900)  # a step of the history ends where the hand rests
         said = page.evaluate("location.hash")
         assert said == f"#{view.system}:" + ",".join(f"{name}={value:g}" for name, value in places.items())
         page.get_by_role("button", name="undo").click()
