@@ -26,6 +26,13 @@ def model_state(explorer: Explorer) -> dict:
     return {**explorer.values(), **places, "magnify": explorer.magnify, "payload": explorer.payload}
 
 
+def go_to_empty_page(page: Page, address: str = SITE) -> None:
+    """Open an empty page that has an address, as a view on about:blank has none to write."""
+    blank = "<!doctype html><title>view</title>"
+    page.route(SITE, lambda route: route.fulfill(body=blank, content_type="text/html"))
+    page.goto(address)
+
+
 @contextmanager
 def opened(browser: Browser, explorer: Explorer, address: str = SITE, **context) -> Iterator[Page]:
     """Show the view on an empty page of its own; anything that the page complains about is an error."""
@@ -33,9 +40,7 @@ def opened(browser: Browser, explorer: Explorer, address: str = SITE, **context)
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
-    blank = "<!doctype html><title>view</title>"
-    page.route(SITE, lambda route: route.fulfill(body=blank, content_type="text/html"))
-    page.goto(address)
+    go_to_empty_page(page, address)
     page.evaluate(MODEL, [explorer._esm, explorer._css, model_state(explorer)])
     yield page
     assert not errors, errors

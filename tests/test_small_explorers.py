@@ -20,9 +20,9 @@ from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live import LiveView
 from rlswaim.explorers.scripts import module
 from rlswaim.polynomials import characteristic_polynomial
+from standin import go_to_empty_page
 
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
-SITE = "http://views.test/"
 BOOSTER, PRINTED = rl.swaim_booster(), rl.printed_equations()
 COEFFICIENTS = rl.perturbation_equations(BOOSTER).coefficients
 ASCENT = trajectory.swaim_ascent()
@@ -53,9 +53,7 @@ def opened(browser: Browser, view: LiveView, width: int = 760) -> Iterator[Page]
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
-    blank = "<!doctype html><title>view</title>"
-    page.route(SITE, lambda route: route.fulfill(body=blank, content_type="text/html"))
-    page.goto(SITE)
+    go_to_empty_page(page)
     places = {f"{p.name}_at": getattr(view, f"{p.name}_at") for p in view.parameters}
     page.evaluate(MODEL, [view._esm, view._css, {**view.values(), **places, "payload": view.payload}])
     yield page

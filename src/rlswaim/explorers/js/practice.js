@@ -2,11 +2,14 @@
 const ROUNDS = 150;
 const SPARE = 3; // ms of rest that a round wants
 
-let left = ROUNDS;
+let begun = false;
 
 // draw: takes a state. Each round changes one of the gains by a little.
 export function practise({ running }, state, draw) {
+  if (begun) return;
+  begun = true;
   const gains = Object.keys(running).filter((name) => running[name].magnitudes);
+  let left = ROUNDS;
   const go = (rest) => {
     for (; left > 0 && rest.timeRemaining() > SPARE; left--) {
       const name = gains[left % gains.length];
@@ -14,5 +17,5 @@ export function practise({ running }, state, draw) {
     }
     if (left > 0) requestIdleCallback(go);
   };
-  if (left === ROUNDS) globalThis.requestIdleCallback?.(go);
+  globalThis.requestIdleCallback?.(go);
 }

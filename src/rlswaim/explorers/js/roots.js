@@ -27,9 +27,9 @@ export function subtract(a, b) {
 // Where Aberth's correction has a pole a step would lead anywhere, powers of it overflow: none is longer than a few times
 // the size of the largest root.
 export function refine(c, n, x, y, close = 1e-6) {
-  let reach = 0;
-  for (let i = 0; i < n; i++) reach = Math.max(reach, x[i] * x[i] + y[i] * y[i]);
-  const longest = 16 * reach || Infinity;
+  let largestSquare = 0;
+  for (let i = 0; i < n; i++) largestSquare = Math.max(largestSquare, x[i] * x[i] + y[i] * y[i]);
+  const longestSquare = 16 * largestSquare || Infinity;
   let left = 2 ** n - 1; // one bit for each point that still moves
   for (let sweep = 0; left && sweep < 80; sweep++) {
     for (let i = 0; i < n; i++) {
@@ -70,9 +70,9 @@ export function refine(c, n, x, y, close = 1e-6) {
         sy += ey / q;
       }
       q = sx * sx + sy * sy || 1e-300;
-      const step = q * longest < 1 ? Math.sqrt(longest / q) : 1 / q;
-      x[i] -= sx * step;
-      y[i] += sy * step;
+      const scale = q * longestSquare < 1 ? Math.sqrt(longestSquare / q) : 1 / q;
+      x[i] -= sx * scale;
+      y[i] += sy * scale;
       if (1 <= q * close * close * gap) left &= ~(1 << i);
     }
   }

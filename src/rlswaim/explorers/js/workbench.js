@@ -171,8 +171,7 @@ export class Workbench {
     this.el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail: { ms: performance.now() - start } }));
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.#tellLater(), LAG);
-    if (!this.practised) practise(system, desk.state, (state) => this.plane.rehearse(state));
-    this.practised = true;
+    practise(system, desk.state, (state) => this.plane.rehearse(state));
   }
 
   #tell() {
