@@ -4,8 +4,8 @@ import control
 import numpy as np
 
 import rlswaim as rl
-from rlswaim.dual import closure_3, final_design
-from rlswaim.loops import theta_loop
+from rlswaim.loops.closures import closure_3, final_design
+from rlswaim.loops.transfer_functions import theta_loop
 
 
 def random_loop(order, seed=0):

@@ -37,7 +37,7 @@ import warnings; warnings.simplefilter("ignore")
 %matplotlib inline
 import control, ipywidgets, rlswaim as rl
 from matplotlib import pyplot as plt
-from rlswaim.loops import theta_loop
+from rlswaim.loops.transfer_functions import theta_loop
 eqs, slider = rl.printed_equations(), ipywidgets.FloatSlider(0.618, min=-1, max=1, step=0.01)
 def draw(K_R):
     control.root_locus_plot(theta_loop(eqs, K_C=10, K_R=K_R, gyro=60), ax=plt.figure().subplots())

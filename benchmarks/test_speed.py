@@ -14,12 +14,12 @@ from matplotlib.figure import Figure
 import rlswaim as rl
 from cases import loops
 from exact import off_the_polyline
-from rlswaim import fast
-from rlswaim.dual import final_design
 from rlswaim.figures.redraw import LocusPicture
-from rlswaim.openloop import open_loop
-from rlswaim.picture import default_axes
-from rlswaim.stations import station_map
+from rlswaim.loops.closures import final_design
+from rlswaim.loops.station_maps import station_map
+from rlswaim.rootlocus import fast
+from rlswaim.rootlocus.adaptive_gains import default_axes
+from rlswaim.rootlocus.open_loop import open_loop
 
 matplotlib.use("agg")
 LOOPS = loops()

@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.picture import SCREEN
+from rlswaim.rootlocus.adaptive_gains import SCREEN
 
 
 def exact_roots(coefficients):

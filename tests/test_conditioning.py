@@ -10,17 +10,18 @@ from matplotlib import pyplot as plt
 from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
-from rlswaim import conditioning, dual
-from rlswaim.evidence.conclusions import closed_loop
+from rlswaim.edition import conditioning
+from rlswaim.edition.conclusions import closed_loop
 from rlswaim.figures.conditioning import draw_sensitivities
-from rlswaim.gains import gain_terms
-from rlswaim.perturbation import COEFFICIENTS
-from rlswaim.polynomials import roots
+from rlswaim.loops import closures
+from rlswaim.loops.certificates import gain_terms
+from rlswaim.rootlocus.polynomials import roots
+from rlswaim.vehicle.equations import COEFFICIENTS
 
 EQS = rl.printed_equations()
 LOOPS = conditioning.printed_loops(EQS)
 TABLE = conditioning.table(LOOPS)
-JET, KK_Z = dual.final_design()
+JET, KK_Z = closures.final_design()
 
 
 def figure_8(eqs):
@@ -32,8 +33,8 @@ POLYNOMIALS = {
     "Eq. 41": lambda eqs: eqs.characteristic_polynomial()[1:],
     "Eq. 92, zeros": lambda eqs: eqs.numerator("theta", "delta")[:6],
     "Figure 8": figure_8,
-    "closure 1": lambda eqs: dual.closed_1(eqs, JET, KK_Z)[1:],
-    "closure 2": lambda eqs: dual.theta_numerator(eqs, JET, KK_Z)[:7],
+    "closure 1": lambda eqs: closures.closed_1(eqs, JET, KK_Z)[1:],
+    "closure 2": lambda eqs: closures.theta_numerator(eqs, JET, KK_Z)[:7],
 }
 """The same roots by determinants, which share no line with the state matrices."""
 

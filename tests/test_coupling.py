@@ -8,11 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rlswaim as rl
-from rlswaim import coupling
-from rlswaim.coefficients import as_markdown, coefficient_table, mirrored_damping
-from rlswaim.modes import BendingMode
-from rlswaim.perturbation import COEFFICIENTS
-from rlswaim.polynomials import roots
+from rlswaim.edition.coefficients import as_markdown, coefficient_table, mirrored_damping
+from rlswaim.rootlocus.polynomials import roots
+from rlswaim.vehicle import coupling
+from rlswaim.vehicle.equations import COEFFICIENTS
+from rlswaim.vehicle.modes import BendingMode
 
 BOOSTER = rl.swaim_booster()
 PRINTED = rl.printed_equations()

@@ -19,18 +19,18 @@ from scipy.linalg import expm, matrix_balance
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim.dual import JetLoop, theta_numerator
 from rlswaim.explorers.control_systems import SYSTEMS, payload
-from rlswaim.explorers.multiaffine import multiaffine_forms, with_shapes
 from rlswaim.explorers.presets import COMPARED, CORRECTED, corrected_designs, designs
-from rlswaim.polynomials import characteristic_polynomial, exact_characteristic_polynomial, roots
-from rlswaim.tables import read_table, script
+from rlswaim.loops.closures import JetLoop, theta_numerator
+from rlswaim.loops.multiaffine import multiaffine_forms, with_shapes
+from rlswaim.rootlocus.polynomials import characteristic_polynomial, exact_characteristic_polynomial, roots
+from rlswaim.source.tables import read_table, script
 
 EQUATIONS = {"data": rl.perturbation_equations(rl.swaim_booster()), "printed": rl.printed_equations()}
 EQS = EQUATIONS["printed"]
 MODULE = "\n".join(
-    re.sub(r"^import [^;]*;\n", "", script("js", f"{name}.js"), flags=re.MULTILINE)
-    for name in ("roots", "locus", "response", "modes")
+    re.sub(r"^import [^;]*;\n", "", script("js", "maths", f"{name}.js"), flags=re.MULTILINE)
+    for name in ("roots", "locus", "responses", "mode_shape")
 )
 VIEW = {"left": -12.0, "right": 4.0, "bottom": -1.0, "top": 13.0, "scale": 40.0, "tolerance": 0.25}
 COUNT = 1000

@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page
 import rlswaim as rl
 from rlswaim.explorers import Comparison, Explorer, designs, rate_attitude_explorer
 from rlswaim.explorers.scripts import EXPORT, IMPORT
-from rlswaim.tables import read_table
+from rlswaim.source.tables import read_table
 from standin import opened, paired, show, table
 
 EQUATIONS = rl.printed_equations()
@@ -221,7 +221,7 @@ class TestView:
 
 
 def test_scripts_import_what_others_export():
-    scripts = {path.stem: path.read_text(encoding="utf-8") for path in SCRIPTS.glob("*.js")}
+    scripts = {path.stem: path.read_text(encoding="utf-8") for path in SCRIPTS.glob("*/*.js")}
     exported = {name: set(EXPORT.findall(text)) for name, text in scripts.items()}
     found = [(name, other, words) for name, text in scripts.items() for words, other in IMPORT.findall(text)]
     assert len(found) > 40

@@ -9,9 +9,9 @@ import pytest
 
 import rlswaim as rl
 from exact import exact_roots, off_the_polyline, paired, relative_errors
-from rlswaim import fast
-from rlswaim.openloop import open_loop
-from rlswaim.picture import default_axes
+from rlswaim.rootlocus import fast
+from rlswaim.rootlocus.adaptive_gains import default_axes
+from rlswaim.rootlocus.open_loop import open_loop
 from systems import mismatch
 from test_locus_accuracy import random_system, report_loop
 

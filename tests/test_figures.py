@@ -11,10 +11,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 import rlswaim as rl
-from rlswaim import loops
 from rlswaim.figures import diagrams, loci, use_book_style
 from rlswaim.figures.redraw import LocusPicture
-from rlswaim.loops import theta_loop
+from rlswaim.loops import transfer_functions as tf
+from rlswaim.loops.transfer_functions import theta_loop
 
 EQS = rl.printed_equations()
 DIAGRAMS = (6, 7, 12, 13, 14, 17, 18, 21, 22, 23)
@@ -30,7 +30,7 @@ def ax():
 
 @pytest.fixture(scope="module")
 def closure():
-    return loops.close(loops.theta_loop(EQS, 10, 0.618, 60), 1.8, loops.open_loop_parts(EQS, 10))
+    return tf.close(tf.theta_loop(EQS, 10, 0.618, 60), 1.8, tf.open_loop_parts(EQS, 10))
 
 
 def points(line):
@@ -81,7 +81,7 @@ def test_closed_loop_poles_and_printed_roots_are_marked_where_they_are(ax, closu
 
 def test_the_zeros_of_all_stations_are_drawn_once(ax):
     stations = np.arange(0.0, 421.0, 30.0)
-    zeros = loops.sensor_zeros(EQS, stations)
+    zeros = tf.sensor_zeros(EQS, stations)
     loci.draw_sensor_zeros(ax, stations, zeros, {140.0: [3.2 + 2.625j]})
     drawn = sum(line.get_xdata().size for line in ax.lines[:3])
     assert drawn == np.count_nonzero(zeros.imag >= 0)

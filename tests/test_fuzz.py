@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rlswaim as rl
-from rlswaim.polynomials import horner
+from rlswaim.rootlocus.polynomials import horner
 from systems import LOOPS, boosters, closed_loop, gains, mismatch, poles, stations
 
 BAD = st.sampled_from([float("nan"), float("inf"), -float("inf"), 1 + 2j, "1", None, True, [1.0, 2.0], {}])

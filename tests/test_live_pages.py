@@ -24,10 +24,10 @@ from livepage import (
     poles_of,
     relative_mismatch,
 )
-from rlswaim import trajectory
 from rlswaim.explorers import ascent, designs
 from rlswaim.explorers.presets import corrected_designs
-from rlswaim.rigid_body import rigid_body, rigid_design
+from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
+from rlswaim.vehicle import trajectory
 
 SECTIONS = dict(zip(WORKBENCHES, ("IV", "V", "VI", "VII"), strict=True))
 REPRODUCED = {"Figure 8", "Figure 11", "Eq. 78", "Eq. 80", "Eq. 82"}

@@ -7,9 +7,9 @@ from scipy.linalg import block_diag
 
 import rlswaim as rl
 from exact import closed_loop, exact_roots, off_the_polyline, relative_errors
-from rlswaim.branches import continuous_branches
-from rlswaim.openloop import open_loop
-from rlswaim.picture import default_axes
+from rlswaim.rootlocus.adaptive_gains import default_axes
+from rlswaim.rootlocus.branches import continuous_branches
+from rlswaim.rootlocus.open_loop import open_loop
 
 
 def report_loop(which):

@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
-from rlswaim import gains, loops
-from rlswaim.evidence import section_4, section_5, section_6
-from rlswaim.polynomials import roots
+from rlswaim.edition import section_4, section_5, section_6
+from rlswaim.loops import certificates
+from rlswaim.loops import transfer_functions as tf
+from rlswaim.rootlocus.polynomials import roots
 
 EQS = rl.printed_equations()
 STATION = st.one_of(st.none(), st.integers(0, 420).map(float))
@@ -37,20 +38,20 @@ def closed_roots(loop, K_A):
 @given(K_A=gain(20), K_C=gain(20), K_R=gain(2), gyro=STATION)
 def test_the_attitude_loop_closes_as_the_state_space_does(K_A, K_C, K_R, gyro):
     system = rl.rate_attitude(EQS, K_A=K_A, K_C=K_C, K_R=K_R, gyro=gyro)
-    assert same_roots(closed_roots(loops.theta_loop(EQS, K_C, K_R, gyro), K_A), system.poles())
+    assert same_roots(closed_roots(tf.theta_loop(EQS, K_C, K_R, gyro), K_A), system.poles())
 
 
 @given(K_A=gain(20), K_C=gain(20), K_R=gain(2), K_z=gain(0.5), sensor=SENSOR)
 def test_the_outer_loop_closes_as_the_state_space_does(K_A, K_C, K_R, K_z, sensor):
     system = rl.single_sensor(EQS, K_A=K_A, K_C=K_C, K_R=K_R, K_z=K_z, sensor=sensor)
-    found = closed_roots(loops.outer_loop(EQS, K_C, K_R, [(K_z, sensor)]), K_A)
+    found = closed_roots(tf.outer_loop(EQS, K_C, K_R, [(K_z, sensor)]), K_A)
     assert same_roots(found, system.poles())
 
 
 @given(K_C=gain(20), K_za=gain(0.5), K_zb=gain(0.5), a=SENSOR, b=SENSOR)
 def test_two_inner_loops_close_in_either_order(K_C, K_za, K_zb, a, b):
-    one = loops.inner_loop(EQS, K_C, b, closed=[(K_za, a)])
-    other = loops.inner_loop(EQS, K_C, a, closed=[(K_zb, b)])
+    one = tf.inner_loop(EQS, K_C, b, closed=[(K_za, a)])
+    other = tf.inner_loop(EQS, K_C, a, closed=[(K_zb, b)])
     system = rl.two_sensor(EQS, K_A=0, K_C=K_C, K_R=0, K_za=K_za, K_zb=K_zb, sensor_a=a, sensor_b=b)
     assert same_roots(closed_roots(one, K_zb), closed_roots(other, K_za))
     assert same_roots(closed_roots(one, K_zb), system.poles())
@@ -58,25 +59,25 @@ def test_two_inner_loops_close_in_either_order(K_C, K_za, K_zb, a, b):
 
 @given(K_A=gain(20), K_C=gain(20), K_R=gain(2), K_z=gain(0.5), sensor=SENSOR)
 def test_the_terms_in_the_gains_add_up_to_the_characteristic_polynomial(K_A, K_C, K_R, K_z, sensor):
-    terms = gains.gain_terms(EQS, None, [sensor])
+    terms = certificates.gain_terms(EQS, None, [sensor])
     values = (1, K_C, K_A * K_C, K_A * K_C * K_R, K_C * K_z)
     total = sum(value * term for value, term in zip(values, terms.values(), strict=True))
-    loop = loops.outer_loop(EQS, K_C, K_R, [(K_z, sensor)])
+    loop = tf.outer_loop(EQS, K_C, K_R, [(K_z, sensor)])
     expected = npp.polyadd(loop.den[0][0][::-1], K_A * loop.num[0][0][::-1])
     assert total == pytest.approx(expected, rel=1e-9, abs=1e-9 * np.abs(expected).max())
 
 
 @given(real=st.floats(-3, 3), imag=st.floats(0.2, 5), K_C=st.floats(0.5, 30), gyro=STATION)
 def test_gains_for_a_pole_put_it_there(real, imag, K_C, gyro):
-    K_A, K_R = gains.gains_for_pole(EQS, complex(real, imag), K_C, gyro)
+    K_A, K_R = certificates.gains_for_pole(EQS, complex(real, imag), K_C, gyro)
     assume(1e-2 < abs(K_A) < 1e3 and abs(K_A * K_R) < 1e3)
-    found = closed_roots(loops.theta_loop(EQS, K_C, K_R, gyro), K_A)
+    found = closed_roots(tf.theta_loop(EQS, K_C, K_R, gyro), K_A)
     assert np.abs(found - complex(real, imag)).min() < 1e-4
 
 
 def test_a_real_pole_leaves_a_gain_free():
     with pytest.raises(ValueError, match="off the real axis"):
-        gains.gains_for_pole(EQS, 1.0, 10, 60)
+        certificates.gains_for_pole(EQS, 1.0, 10, 60)
 
 
 def exact_certificate(terms, support):
@@ -102,9 +103,9 @@ def exact_certificate(terms, support):
     ids=["gyro 60", "gyro 400", "gyro 304", "rigid angle", "sensor 140", "sensors 300 and 140"],
 )
 def test_no_gains_stabilize_proved_in_rational_numbers(gyro, sensors):
-    found = gains.stability_certificate(EQS, gyro, sensors)
+    found = certificates.stability_certificate(EQS, gyro, sensors)
     support = np.flatnonzero(found.weights > 1e-12)
-    weights, rest = exact_certificate(gains.gain_terms(EQS, gyro, sensors), support)
+    weights, rest = exact_certificate(certificates.gain_terms(EQS, gyro, sensors), support)
     assert all(w >= 0 for w in weights)
     assert rest < 0
     assert float(rest) == pytest.approx(found.margin, rel=1e-6)
@@ -114,45 +115,48 @@ def test_a_certificate_is_not_found_for_a_loop_that_can_be_stabilized(monkeypatc
     stable = np.array([2.0, 3.0, 1.0])  # any small gain keeps it stable
     terms = {"1": np.pad(stable, (0, 6)), "K_C": np.pad([1.0], (0, 8))}
     terms["1"][:8] = npp.polyfromroots([-1.0] * 8)[:8]
-    monkeypatch.setattr(gains, "gain_terms", lambda *_: terms)
-    assert gains.stability_certificate(EQS, None).margin > 0
+    monkeypatch.setattr(certificates, "gain_terms", lambda *_: terms)
+    assert certificates.stability_certificate(EQS, None).margin > 0
 
 
 @given(K_A=gain(1000), K_C=gain(100), K_R=gain(10), station=STATION)
 def test_every_loop_of_section_iv_is_unstable(K_A, K_C, K_R, station):
-    assert closed_roots(loops.theta_loop(EQS, K_C, K_R, station), K_A).real.max() > -1e-9
+    assert closed_roots(tf.theta_loop(EQS, K_C, K_R, station), K_A).real.max() > -1e-9
 
 
 @given(station=SENSOR)
 def test_the_zeros_of_a_sensor_satisfy_eq_119(station):
     phi = [mode.deflection(station) for mode in EQS.modes]
     p = phi[0] * EQS.numerator("q1", "delta") + phi[1] * EQS.numerator("q2", "delta")
-    for zero in loops.sensor_zeros(EQS, [station])[0]:
+    for zero in tf.sensor_zeros(EQS, [station])[0]:
         assert abs(npp.polyval(zero, p)) < 1e-7 * npp.polyval(abs(zero), np.abs(p))
 
 
 @pytest.mark.parametrize("station", [30.0, 40.0, 140.0, 300.0, 410.0])
 def test_the_stiffening_is_the_slope_of_the_locus(station):
     step = 1e-7
-    loop, starts = loops.inner_loop(EQS, 10, station), loops.open_loop_parts(EQS, 10)
-    after = loops.close(loop, step, starts).ends
-    for name, slope in loops.stiffening(EQS, 10, [station]).items():
+    loop, starts = (
+        tf.inner_loop(EQS, 10, station),
+        tf.open_loop_parts(EQS, 10),
+    )
+    after = tf.close(loop, step, starts).ends
+    for name, slope in tf.stiffening(EQS, 10, [station]).items():
         rise = (np.abs(after[name]).max() - np.abs(starts[name]).max()) / step
         assert rise == pytest.approx(slope[0], rel=1e-3, abs=1e-3)
 
 
 @pytest.mark.parametrize(("station", "K_z"), [(40.0, 0.1), (140.0, 0.054), (300.0, -0.144)])
 def test_one_sensor_stiffens_both_modes(station, K_z):
-    starts = loops.open_loop_parts(EQS, 10)
-    ends = loops.close(loops.inner_loop(EQS, 10, station), K_z, starts).ends
+    starts = tf.open_loop_parts(EQS, 10)
+    ends = tf.close(tf.inner_loop(EQS, 10, station), K_z, starts).ends
     for mode in ("mode 1", "mode 2"):
         assert np.abs(ends[mode]).max() > np.abs(starts[mode]).max()
 
 
 def test_both_modes_stay_stiffened_with_the_outer_loop_closed():
-    starts = loops.open_loop_parts(EQS, 10)
-    inner = loops.close(loops.inner_loop(EQS, 10, 140), 0.054, starts)
-    outer = loops.close(loops.outer_loop(EQS, 10, 0.625, [(0.054, 140)]), 39, inner.ends)
+    starts = tf.open_loop_parts(EQS, 10)
+    inner = tf.close(tf.inner_loop(EQS, 10, 140), 0.054, starts)
+    outer = tf.close(tf.outer_loop(EQS, 10, 0.625, [(0.054, 140)]), 39, inner.ends)
     sizes = [np.abs(outer.ends[mode]).max() for mode in ("mode 1", "mode 2")]
     assert sizes == pytest.approx([2.583, 17.82], abs=5e-3)
     assert outer.poles.real.max() == pytest.approx(1.169, abs=5e-4)
@@ -175,19 +179,19 @@ def test_one_mode_less_is_the_smaller_determinant():
 
 
 def test_factors_and_latex_give_the_loop_back():
-    loop = loops.theta_loop(EQS, 10, 0.618, 60)
-    again = loops.from_factors(*loops.factors(loop))
+    loop = tf.theta_loop(EQS, 10, 0.618, 60)
+    again = tf.from_factors(*tf.factors(loop))
     s = np.array([0.3 + 1j, -2.0, 5j])
     assert again(s) == pytest.approx(loop(s), rel=1e-9)
-    assert loops.as_latex(loops.from_factors(-2.0, [0, 1.5], [-1 + 2j])) == (
+    assert tf.as_latex(tf.from_factors(-2.0, [0, 1.5], [-1 + 2j])) == (
         r"\frac{-2\,s(s - 1.5)}{(s + 1 \pm j\,2)}"
     )
-    assert loops.as_text([-1 + 2j, -1 - 2j, 0.5]) == "0.5, −1.000 ± j2.000"
+    assert tf.as_text([-1 + 2j, -1 - 2j, 0.5]) == "0.5, −1.000 ± j2.000"
 
 
-@pytest.mark.parametrize("call", [loops.theta_loop, loops.inner_loop])
+@pytest.mark.parametrize("call", [tf.theta_loop, tf.inner_loop])
 def test_bad_gains_and_stations_are_refused(call):
-    extra = (0.6, 60) if call is loops.theta_loop else (60,)
+    extra = (0.6, 60) if call is tf.theta_loop else (60,)
     with pytest.raises(ValueError, match="K_C in denominator: got nan"):
         call(EQS, float("nan"), *extra)
     with pytest.raises(ValueError, match="wanted 0 to 420 ft"):

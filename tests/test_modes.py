@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 import rlswaim as rl
-from rlswaim import modes
-from rlswaim.tables import column
+from rlswaim.source.tables import column
+from rlswaim.vehicle import modes
 
 BOOSTER = rl.swaim_booster()
 BOTH = pytest.mark.parametrize("mode", BOOSTER.modes, ids=lambda mode: mode.name)

@@ -4,7 +4,7 @@ import dataclasses
 
 import pytest
 
-from rlswaim import notation
+from rlswaim.edition import notation
 
 NOT_A_SYMBOL = {"name", "source", "surfaces", "modes", "flight"}
 

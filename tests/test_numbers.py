@@ -11,7 +11,7 @@ import pytest
 from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
-from rlswaim.ledger import half_unit
+from rlswaim.edition.ledger import half_unit
 
 
 @pytest.mark.parametrize(

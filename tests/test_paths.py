@@ -9,19 +9,20 @@ from matplotlib import pyplot as plt
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim import dual, loops, readings, trajectory, variants
-from rlswaim.evidence import paths, section_5, section_6
-from rlswaim.evidence.matching import printed_roots
-from rlswaim.evidence.section_4 import CLOSED_LOOPS, K_C, WANTED, closed_loop_roots
+from rlswaim.edition import consistent_vehicles, corrected_paths, section_5, section_6, table_3_readings
+from rlswaim.edition.matching import printed_roots
+from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C, WANTED, closed_loop_roots
 from rlswaim.figures.paths import draw_far_locus, draw_readings
-from rlswaim.locus import root_locus
-from rlswaim.polynomials import roots
-from rlswaim.rigid_body import rigid_body, rigid_design
+from rlswaim.loops import closures, transfer_functions
+from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
+from rlswaim.rootlocus.locus import root_locus
+from rlswaim.rootlocus.polynomials import roots
+from rlswaim.vehicle import trajectory
 
 EQS, BOOSTER = rl.printed_equations(), rl.swaim_booster()
 K_A, K_R = 0.0016, 0.618
 RIGHT = rigid_design(rigid_body(EQS), omega=2.0, zeta=0.5, K_C=K_C)
-JET, KK_Z = dual.final_design()
+JET, KK_Z = closures.final_design()
 
 
 def at(loop, gain):
@@ -43,7 +44,7 @@ def upper(found):
 
 
 def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
-    pair = paths.coupling_loops(EQS)
+    pair = corrected_paths.coupling_loops(EQS)
     eq_40 = [1.08, -1.28, complex(-0.0387 / 2, np.sqrt(1.813 - 0.0387**2 / 4))]
     assert contains(at(pair["corrected"], 1), eq_40, 0.004)
     mixed = at(pair["report"], 1)
@@ -53,7 +54,7 @@ def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
 
 
 def test_without_coupling_both_scales_start_alike():
-    first, second = (np.sort_complex(at(loop, 0)) for loop in paths.coupling_loops(EQS).values())
+    first, second = (np.sort_complex(at(loop, 0)) for loop in corrected_paths.coupling_loops(EQS).values())
     np.testing.assert_allclose(first, second, atol=1e-3)
 
 
@@ -61,7 +62,7 @@ def test_without_coupling_both_scales_start_alike():
 
 
 def test_each_rigid_loop_has_the_wanted_short_period_at_its_own_gain_alone():
-    pair = paths.rigid_loops(EQS)
+    pair = corrected_paths.rigid_loops(EQS)
     assert np.abs(at(pair["report"], K_A) - WANTED).min() < 0.01
     assert np.abs(at(pair["corrected"], RIGHT.K_A) - WANTED).min() < 0.01
     assert np.abs(at(pair["corrected"], K_A) - WANTED).min() > 1.5
@@ -101,7 +102,7 @@ def test_closed_loops_at_the_right_gain(gyro, unstable, first, second):
     ],
 )
 def test_inner_loops_close_otherwise_along_each_set_of_zeros(station, as_printed, gain, first, second):
-    report, corrected = at(as_printed, gain), at(loops.inner_loop(EQS, K_C, station), gain)
+    report, corrected = at(as_printed, gain), at(transfer_functions.inner_loop(EQS, K_C, station), gain)
     assert upper(report)[0].real > 1
     modes = upper(corrected)
     assert all(r.real < 0 for r in modes)
@@ -111,12 +112,12 @@ def test_inner_loops_close_otherwise_along_each_set_of_zeros(station, as_printed
 def test_poles_of_eq_118_follow_from_the_printed_zeros_alone():
     wanted = printed_roots("VI", "eq118-p").values()
     assert contains(at(section_6.printed_first_loop(), -0.144), wanted, 0.11)
-    assert not contains(at(loops.inner_loop(EQS, K_C, 300), -0.144), wanted, 0.3)
+    assert not contains(at(transfer_functions.inner_loop(EQS, K_C, 300), -0.144), wanted, 0.3)
 
 
 def test_outer_loop_of_section_v_both_ways():
     report = section_5.printed_outer_loop()
-    corrected = loops.outer_loop(EQS, K_C, section_5.K_R, [(section_5.K_Z, section_5.SENSOR)])
+    corrected = transfer_functions.outer_loop(EQS, K_C, section_5.K_R, [(section_5.K_Z, section_5.SENSOR)])
     gain, _ = section_5.nearest_gain(report, WANTED, np.geomspace(1, 1000, 3001))
     assert gain == pytest.approx(154, abs=0.5)
     assert np.abs(at(report, gain) - WANTED).min() == pytest.approx(0.01, abs=0.002)
@@ -130,10 +131,10 @@ def test_outer_loop_of_section_v_both_ways():
 
 
 def test_closure_2_both_ways():
-    pair = paths.closure_2_loops(EQS)
+    pair = corrected_paths.closure_2_loops(EQS)
     report, corrected = (at(loop, 1) for loop in pair.values())
     assert min(report.real) == pytest.approx(-1.115e7, rel=1e-3)
-    assert contains(report, [r for r in dual.printed_factors("text-closure2-") if abs(r) > 0.1], 0.12)
+    assert contains(report, [r for r in closures.printed_factors("text-closure2-") if abs(r) > 0.1], 0.12)
     assert min(corrected.real) == pytest.approx(-397, abs=0.5)
     assert max(corrected.real) == pytest.approx(390, abs=0.5)
     assert contains(corrected, roots(EQS.characteristic_polynomial())[1:], 1e-4)
@@ -141,8 +142,8 @@ def test_closure_2_both_ways():
 
 
 def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
-    report = dual.printed_closure_3(1, 0.286)
-    corrected = dual.closure_3(EQS, JET, KK_Z, 1, 0.286)
+    report = closures.printed_closure_3(1, 0.286)
+    corrected = closures.closure_3(EQS, JET, KK_Z, 1, 0.286)
     assert (report.poles().size, corrected.poles().size) == (16, 9)
     assert [int((loop.poles().real > 1e-9).sum()) for loop in (report, corrected)] == [4, 1]
     counts = [int((at(report, gain).real > 1e-9).sum()) for gain in (1e-4, 7.3e-4, 7.5e-4, 1.0, 100.0)]
@@ -154,23 +155,23 @@ def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
 
 @pytest.fixture(scope="module")
 def read():
-    return readings.readings(EQS, dual.table_3(EQS), samples=0)
+    return table_3_readings.readings(EQS, closures.table_3(EQS), samples=0)
 
 
 def test_starting_rates_are_those_of_the_roots_themselves():
     loop = JET._replace(sensor=236.0, jet=56.0)
-    phi = readings.deflections(EQS, loop) * [1.04, 0.97, 0.95, 1.05]
-    eqs, small = readings.read_so(EQS, loop, phi), 1e-3
-    rates = readings.starting_rates(EQS, loop, phi[None])[0]
-    ends = [[abs(r) for r in upper(roots(dual.closed_1(eqs, loop, k)))] for k in (small, -small)]
+    phi = table_3_readings.deflections(EQS, loop) * [1.04, 0.97, 0.95, 1.05]
+    eqs, small = table_3_readings.read_so(EQS, loop, phi), 1e-3
+    rates = table_3_readings.starting_rates(EQS, loop, phi[None])[0]
+    ends = [[abs(r) for r in upper(roots(closures.closed_1(eqs, loop, k)))] for k in (small, -small)]
     np.testing.assert_allclose((np.array(ends[0]) - ends[1]) / (2 * small), rates, rtol=1e-4)
 
 
 @pytest.mark.parametrize(("sensor", "jet"), [(39.0, 140.0), (231.0, 140.0), (56.0, 56.0)])
 def test_a_reading_is_what_both_modes_have_there(sensor, jet):
     loop = JET._replace(sensor=sensor, jet=jet)
-    phi = readings.deflections(EQS, loop) * [1.05, 0.95, 1.05, 0.95]
-    assert readings.deflections(readings.read_so(EQS, loop, phi), loop) == pytest.approx(phi)
+    phi = table_3_readings.deflections(EQS, loop) * [1.05, 0.95, 1.05, 0.95]
+    assert table_3_readings.deflections(table_3_readings.read_so(EQS, loop, phi), loop) == pytest.approx(phi)
 
 
 def test_what_is_barred_exactly_is_never_found(read):
@@ -192,7 +193,7 @@ def test_verdicts_within_five_percent(read):
 
 def test_near_nodes_an_absolute_error_undoes_more(read):
     chosen = [r.nominal for r in read if r.nominal.case in {4, 14, 19}]
-    again = readings.readings(EQS, chosen, least=0.05, samples=0)
+    again = table_3_readings.readings(EQS, chosen, least=0.05, samples=0)
     assert [r.judgement for r in again] == [
         "depends on the reading",
         "robustly yes",
@@ -205,7 +206,7 @@ def test_near_nodes_an_absolute_error_undoes_more(read):
 
 def conditions():
     ascent = trajectory.swaim_ascent()
-    return variants.flight_conditions(BOOSTER, ascent, trajectory.level_at_burnout(ascent))
+    return consistent_vehicles.flight_conditions(BOOSTER, ascent, trajectory.level_at_burnout(ascent))
 
 
 def test_consistent_flight_conditions_are_in_the_air():
@@ -215,7 +216,7 @@ def test_consistent_flight_conditions_are_in_the_air():
 
 
 def test_unstable_root_at_each_flight_condition():
-    found = variants.survey({n: replace(BOOSTER, flight=f) for n, f in conditions().items()})
+    found = consistent_vehicles.survey({n: replace(BOOSTER, flight=f) for n, f in conditions().items()})
     expected = [1.307, 1.232, 1.311, 0.972, 2.030, 1.045, 1.285, 1.285]
     assert list(found["both modes"]) == pytest.approx(expected, abs=1e-3)
     assert (found.margin < 0).all()
@@ -224,7 +225,7 @@ def test_unstable_root_at_each_flight_condition():
 
 def test_what_orthogonal_modes_leave_of_section_iii():
     boosters = {"printed": BOOSTER, "1": BOOSTER.orthogonalized(), "2": BOOSTER.orthogonalized(True)}
-    found = variants.survey(boosters)
+    found = consistent_vehicles.survey(boosters)
     assert list(found["one mode"]) == pytest.approx([1.083, 0.703, 0.595], abs=1e-3)
     assert list(found["both modes"]) == pytest.approx([1.307, 0.979, 0.826], abs=1e-3)
     assert list(found["s"]) == pytest.approx([-69.6, -6.39, -4.73], abs=0.05)
@@ -238,9 +239,9 @@ def test_what_orthogonal_modes_leave_of_section_iii():
 def test_far_locus_shows_every_root():
     with mpl.rc_context():
         fig, ax = plt.subplots()
-        loop = paths.closure_2_loops(EQS)["report"]
+        loop = corrected_paths.closure_2_loops(EQS)["report"]
         locus = root_locus(loop, np.concatenate([[0.0], np.geomspace(1e-12, 1, 60)]))
-        draw_far_locus(ax, locus, locus.roots[-1], dual.printed_factors("text-closure2-"))
+        draw_far_locus(ax, locus, locus.roots[-1], closures.printed_factors("text-closure2-"))
         closed = next(line for line in ax.lines if line.get_label() == "closed loop, computed")
         assert min(closed.get_xdata()) == pytest.approx(-1.115e7, rel=1e-3)
         assert ax.get_xlim()[0] < min(closed.get_xdata())

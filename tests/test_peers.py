@@ -9,7 +9,7 @@ import pytest
 
 import rlswaim as rl
 from exact import closed_loop, exact_roots, relative_errors
-from rlswaim.openloop import open_loop
+from rlswaim.rootlocus.open_loop import open_loop
 
 PENDULUM = control.ss(
     [[0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 1], [0, 0, 5, 0]], [[0], [1], [0], [-2]], [[1, 0, 0, 0]], 0

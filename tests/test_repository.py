@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from rlswaim.ledger import counts, errata
-from rlswaim.tables import read_table
+from rlswaim.edition.ledger import counts, errata
+from rlswaim.source.tables import read_table
 
 ROOT = Path(__file__).parent.parent
 WIDGETS = ROOT / "book" / "widgets"
@@ -98,7 +98,7 @@ def test_the_readme_counts_the_ledger_s_verdicts():
 
 
 def test_the_errata_are_the_ledger_s():
-    """Written by `python -c "from rlswaim.ledger import errata; print(errata().to_csv(), end='')"`."""
+    """They are written by the command that CONTRIBUTING.md names."""
     fields = ("where", "quantity", "printed", "unit", "verdict", "why")
     rows = read_table("errata")
     assert [row["id"] for row in rows] == list(errata().index)

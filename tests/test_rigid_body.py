@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rlswaim as rl
-from rlswaim.loops import theta_loop
-from rlswaim.rigid_body import RigidBody, rigid_body, rigid_design
+from rlswaim.loops.rigid_body_design import RigidBody, rigid_body, rigid_design
+from rlswaim.loops.transfer_functions import theta_loop
 
 EQS = rl.printed_equations()
 

@@ -9,9 +9,9 @@ import pytest
 
 import rlswaim as rl
 from exact import exact_roots, paired
-from rlswaim import gains, rigid_body
-from rlswaim.evidence import closing, conclusions, robustness, search
-from rlswaim.polynomials import exact_characteristic_polynomial, roots
+from rlswaim.edition import conclusions, robustness, search
+from rlswaim.loops import certificates, family, rigid_body_design
+from rlswaim.rootlocus.polynomials import exact_characteristic_polynomial, roots
 from systems import polynomial_at
 
 EQS = rl.printed_equations()
@@ -36,7 +36,7 @@ def one(sampled_gains, i):
 @cache
 def exact_poles(at):
     """Return the poles of a winner's wired state space: exact arithmetic, 60 digits, then rounded."""
-    A = closing.closed_loop(EQS, WINNERS[at].system, WINNERS[at].gains).A
+    A = family.closed_loop(EQS, WINNERS[at].system, WINNERS[at].gains).A
     with mpmath.workdps(60):
         p = [mpmath.mpf(c.numerator) / c.denominator for c in exact_characteristic_polynomial(A)]
     found = exact_roots(p)
@@ -46,25 +46,27 @@ def exact_poles(at):
 # ---- the machinery
 
 
-@pytest.mark.parametrize("system", closing.LOOPS)
+@pytest.mark.parametrize("system", family.LOOPS)
 def test_matrices_are_those_of_the_wired_loops(system):
     g = sampled(system)
-    for i, A in enumerate(closing.state_matrices(EQS, g)):
-        p = [float(c) for c in exact_characteristic_polynomial(closing.closed_loop(EQS, system, one(g, i)).A)]
+    for i, A in enumerate(family.state_matrices(EQS, g)):
+        p = [float(c) for c in exact_characteristic_polynomial(family.closed_loop(EQS, system, one(g, i)).A)]
         q = [float(c) for c in exact_characteristic_polynomial(A)]
         np.testing.assert_allclose(q, p, rtol=1e-9, atol=1e-11 * np.abs(p).max())
 
 
-@pytest.mark.parametrize("system", closing.LOOPS)
+@pytest.mark.parametrize("system", family.LOOPS)
 def test_a_wanted_pair_is_held(system):
-    g = closing.with_pair(EQS, sampled(system))
+    g = family.with_pair(EQS, sampled(system))
     for i in range(6):
-        assert polynomial_at(closing.determinants(EQS, system, one(g, i)), closing.WANTED) < 1e-11
+        assert polynomial_at(family.determinants(EQS, system, one(g, i)), family.WANTED) < 1e-11
 
 
 def test_a_wanted_pair_takes_the_gains_that_the_coefficients_give():
-    g = closing.with_pair(EQS, {"K_C": np.array([10.0]), "gyro": np.array([60.0])})
-    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(gains.gains_for_pole(EQS, closing.WANTED, 10.0, 60.0))
+    g = family.with_pair(EQS, {"K_C": np.array([10.0]), "gyro": np.array([60.0])})
+    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(
+        certificates.gains_for_pole(EQS, family.WANTED, 10.0, 60.0)
+    )
 
 
 @pytest.mark.parametrize(
@@ -83,7 +85,7 @@ def test_one_slow_real_root_is_set_apart(poles, apart, wanted):
 
 
 def test_spread_covers_the_bounds():
-    for system in closing.LOOPS:
+    for system in family.LOOPS:
         for row in search.bounds(system).values():
             ends = search._spread(row, np.array([0.0, 1.0]))
             np.testing.assert_allclose(ends, [float(row["low"]), float(row["high"])], rtol=1e-9)
@@ -100,7 +102,7 @@ def test_an_unknown_name_is_told(system, objective):
 
 def test_every_system_has_every_objective():
     assert [(w.system, w.objective) for w in WINNERS] == [
-        (s, o) for s in closing.LOOPS for o in search.OBJECTIVES
+        (s, o) for s in family.LOOPS for o in search.OBJECTIVES
     ]
 
 
@@ -114,12 +116,12 @@ def test_winner_lies_within_its_bounds(winner):
 def test_winner_holds_two_ways(at):
     """The wired state space, in exact arithmetic, and the determinants, in floats: the same roots."""
     winner, state = WINNERS[at], exact_poles(at)
-    other = roots(closing.determinants(EQS, winner.system, winner.gains))
+    other = roots(family.determinants(EQS, winner.system, winner.gains))
     assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
     value = search.abscissas(state[None], winner.objective.endswith("apart"))[0]
     assert value == pytest.approx(winner.abscissa, abs=1e-4)
     if winner.objective.startswith("pair"):
-        assert np.abs(state - closing.WANTED).min() < 1e-3
+        assert np.abs(state - family.WANTED).min() < 1e-3
 
 
 @pytest.mark.parametrize("winner", WINNERS, ids=IDS)
@@ -146,31 +148,31 @@ def test_winner_contradicts_no_proof(winner):
         return
     sensors = [winner.gains[n] for n in ("sensor", "sensor_a", "sensor_b") if n in winner.gains]
     gyro, slow = winner.gains.get("gyro"), SLOW if winner.objective.endswith("apart") else 0.0
-    apart = gains.slow_root_certificate(EQS, gyro, sensors, slow)
-    proved = apart > 1e-9 or (not slow and gains.stability_certificate(EQS, gyro, sensors).margin <= 0)
+    apart = certificates.slow_root_certificate(EQS, gyro, sensors, slow)
+    proved = apart > 1e-9 or (not slow and certificates.stability_certificate(EQS, gyro, sensors).margin <= 0)
     assert proved == (winner.abscissa > 0)
 
 
 @pytest.mark.parametrize("eqs", [EQS, OWN], ids=["printed", "data"])
 @pytest.mark.parametrize("gyro", [None, 0.0, 60.0, 304.0, 400.0, 420.0])
 def test_rate_and_attitude_feedback_leaves_more_than_a_slow_root(eqs, gyro):
-    assert gains.slow_root_certificate(eqs, gyro, slow=SLOW) > 1
+    assert certificates.slow_root_certificate(eqs, gyro, slow=SLOW) > 1
 
 
 @pytest.mark.parametrize(("sensor", "proved"), [(140, True), (207, True), (25, False), (229, False)])
 def test_one_sensor_is_ruled_out_where_the_proof_says_so(sensor, proved):
-    assert (gains.slow_root_certificate(EQS, None, [float(sensor)], SLOW) > 1e-9) == proved
+    assert (certificates.slow_root_certificate(EQS, None, [float(sensor)], SLOW) > 1e-9) == proved
 
 
 def test_without_payload_surface_nothing_is_ruled_out():
     eqs = rl.perturbation_equations(conclusions.surfaces_cut(rl.swaim_booster())["payload surface halved"])
-    assert gains.stability_certificate(eqs, 370.0).margin == np.inf
-    assert gains.slow_root_certificate(eqs, 370.0) == pytest.approx(0, abs=1e-9)
+    assert certificates.stability_certificate(eqs, 370.0).margin == np.inf
+    assert certificates.slow_root_certificate(eqs, 370.0) == pytest.approx(0, abs=1e-9)
 
 
 def test_a_slow_root_that_may_be_fast_rules_nothing_out():
     """Without a bound on it the unstable root itself is the one set apart."""
-    assert gains.slow_root_certificate(EQS, 60.0, slow=2.0) == pytest.approx(0, abs=1e-9)
+    assert certificates.slow_root_certificate(EQS, 60.0, slow=2.0) == pytest.approx(0, abs=1e-9)
 
 
 # ---- what the loops of Section VII bear
@@ -237,7 +239,7 @@ def test_gust_response_is_the_area_under_the_frequency_response():
     found = conclusions.damped(rl.swaim_booster(), 3e4)
     stiff = conclusions.stiffened(rl.swaim_booster(), 5.0)
     eqs = rl.perturbation_equations(stiff)
-    design = rigid_body.rigid_design(rigid_body.rigid_body(eqs), omega=2.0, zeta=0.5, K_C=10)
+    design = rigid_body_design.rigid_design(rigid_body_design.rigid_body(eqs), omega=2.0, zeta=0.5, K_C=10)
     loop = rl.dual_actuation(eqs, **BY_HAND | {"kK_z": 3e4, "K_A": design.K_A, "K_R": design.K_R})
     w = np.linspace(0, 100, 25_001)
     response = loop[loop.find_output("q1"), loop.find_input("alpha_g")](1j * w)

@@ -14,12 +14,14 @@ from playwright.sync_api import Browser, Page
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim import explorers, stations, trajectory
+from rlswaim import explorers
 from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
 from rlswaim.explorers.control_systems import DUAL_ACTUATION
-from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.scripts import module
-from rlswaim.polynomials import characteristic_polynomial
+from rlswaim.loops import station_maps
+from rlswaim.rootlocus.polynomials import characteristic_polynomial
+from rlswaim.vehicle import trajectory
 from standin import go_to_empty_page
 
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
@@ -500,7 +502,7 @@ class TestStationMap:
                 [module("abscissa"), view.payload, gains],
             )
         for at, rows in zip(gains, found, strict=True):
-            family = stations.DualActuationFamily.of(PRINTED, **at)
+            family = station_maps.DualActuationFamily.of(PRINTED, **at)
             cells = [(jet, n * step, v) for step, jet, values in rows for n, v in enumerate(values)]
             picked = [cells[k] for k in rng.integers(len(cells), size=400)]
             jets, sensors, values = (np.array(c) for c in zip(*picked, strict=True))

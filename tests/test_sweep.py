@@ -12,8 +12,8 @@ import pytest
 import xarray as xr
 
 import rlswaim as rl
-from rlswaim.stations import DualActuationFamily, station_map
-from rlswaim.sweep import sweep
+from rlswaim.loops.station_maps import DualActuationFamily, station_map
+from rlswaim.loops.sweep import sweep
 
 GAINS = {"K_A": 4.0, "K_C": 10.0, "K_R": 0.4, "kK_z": 3e4, "K_r": 10.0, "b": 3.0}
 GRID = {"a": [1.0, 2.0, 3.0], "b": np.arange(5.0)}
@@ -62,7 +62,7 @@ def test_a_killed_sweep_goes_on_where_it_stopped(tmp_path):
         textwrap.dedent("""
         import os, signal, sys
         import numpy as np
-        from rlswaim.sweep import sweep
+        from rlswaim.loops.sweep import sweep
 
         def count(a):
             with open("calls", "a") as calls:

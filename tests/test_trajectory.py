@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from rlswaim import ledger
-from rlswaim.evidence.section_2 import computed
-from rlswaim.trajectory import (
+from rlswaim.edition import ledger
+from rlswaim.edition.section_2 import computed
+from rlswaim.vehicle.trajectory import (
     Ascent,
     closed_form,
     density,

@@ -1,10 +1,10 @@
 """An executable, critical edition of R. L. Swaim, *Active Control of Booster Elasticity* (1964)."""
 
-from rlswaim.ledger import ledger
-from rlswaim.locus import RootLocus, parameter_locus, root_locus
-from rlswaim.perturbation import PerturbationEquations, perturbation_equations, printed_equations
-from rlswaim.systems import dual_actuation, rate_attitude, single_sensor, two_sensor
-from rlswaim.vehicle import Booster, FlightCondition, Surface, swaim_booster
+from rlswaim.edition.ledger import ledger
+from rlswaim.loops.systems import dual_actuation, rate_attitude, single_sensor, two_sensor
+from rlswaim.rootlocus.locus import RootLocus, parameter_locus, root_locus
+from rlswaim.vehicle.booster import Booster, FlightCondition, Surface, swaim_booster
+from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_equations
 
 __all__ = [
     "Booster",

@@ -10,10 +10,10 @@ from rlswaim.explorers.control_systems import (
     two_sensor_explorer,
 )
 from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
-from rlswaim.explorers.multiaffine import MultiAffine, multiaffine_forms
 from rlswaim.explorers.presets import COMPARED, designs
 from rlswaim.explorers.station_map import station_map_explorer
-from rlswaim.explorers.widget import Explorer
+from rlswaim.explorers.workbench import Explorer
+from rlswaim.loops.multiaffine import MultiAffine, multiaffine_forms
 
 __all__ = [
     "COMPARED",

@@ -7,15 +7,15 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim import checks
-from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_history
-from rlswaim.trajectory import Ascent, Trajectory, fly, turn
-from rlswaim.vehicle import FlightCondition
+from rlswaim.source import checks
+from rlswaim.vehicle.booster import FlightCondition
+from rlswaim.vehicle.trajectory import Ascent, Trajectory, fly, turn
 
 UPRIGHT = (0, 6, 12, 18)
 LEVEL = (100, 102, 104, 107, 110, 114, 118, 123, 128, 134, 141, 150, 160, 170, 180)

@@ -6,16 +6,16 @@ from math import degrees, radians
 
 import numpy as np
 
-from rlswaim import trajectory
-from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_elastic_axis
-from rlswaim.perturbation import ROWS, perturbation_equations
-from rlswaim.tables import constants
-from rlswaim.vehicle import Booster
+from rlswaim.source.tables import constants
+from rlswaim.vehicle import trajectory
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.equations import ROWS, perturbation_equations
 
 ANGLES = ("theta", "alpha", "delta")
 MOTIONS = {"q_1": "q1", "q_2": "q2", "alpha": "alpha", "delta": "delta"}

@@ -9,14 +9,14 @@ import ipywidgets as widgets
 import traitlets
 from matplotlib.axes import Axes
 
-from rlswaim import checks
 from rlswaim.explorers.control_systems import SYSTEMS, payload
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.presets import COMPARED
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import draw_locus, still
-from rlswaim.perturbation import PerturbationEquations
-from rlswaim.tables import script
+from rlswaim.source import checks
+from rlswaim.source.tables import script
+from rlswaim.vehicle.equations import PerturbationEquations
 
 SIDES = ("left", "right")
 

@@ -8,15 +8,16 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rlswaim import checks, systems
-from rlswaim.branches import continuous_branches
-from rlswaim.explorers.multiaffine import Forms, MultiAffine, multiaffine_forms, with_shapes
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.presets import corrected_designs, designs, presets
-from rlswaim.explorers.widget import Explorer
+from rlswaim.explorers.workbench import Explorer
 from rlswaim.figures.style import COLORS
-from rlswaim.perturbation import OUTPUTS, STATES, PerturbationEquations, printed_equations
-from rlswaim.vehicle import swaim_booster
+from rlswaim.loops import systems
+from rlswaim.loops.multiaffine import Forms, MultiAffine, multiaffine_forms, with_shapes
+from rlswaim.rootlocus.branches import continuous_branches
+from rlswaim.source import checks
+from rlswaim.vehicle.booster import swaim_booster
+from rlswaim.vehicle.equations import OUTPUTS, STATES, PerturbationEquations, printed_equations
 
 FEEDBACKS = ("total", "rigid body")
 BRANCHES = {
@@ -41,7 +42,7 @@ class ControlSystem:
     ----------
     name, section : str
     function : callable
-        Of `rlswaim.systems`: takes the equations and the parameters.
+        Of `rlswaim.loops.systems`: takes the equations and the parameters.
     gains : mapping of str to (smallest, largest size, whether of both signs)
         The number parameters in the order of their sliders.
     shapes : mapping of station parameter to factors

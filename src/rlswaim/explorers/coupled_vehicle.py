@@ -13,18 +13,18 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rlswaim import checks
 from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determinant_table
-from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_pole_paths
-from rlswaim.locus import parameter_locus
-from rlswaim.modes import BendingMode
-from rlswaim.perturbation import perturbation_equations
-from rlswaim.vehicle import Booster
+from rlswaim.rootlocus.locus import parameter_locus
+from rlswaim.source import checks
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.equations import perturbation_equations
+from rlswaim.vehicle.modes import BendingMode
 
 COLORS_OF = {"short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2", "attitude": "neutral"}
 

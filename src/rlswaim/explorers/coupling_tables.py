@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlswaim.perturbation import COLUMNS, ROWS, perturbation_equations
-from rlswaim.vehicle import Booster
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.equations import COLUMNS, ROWS, perturbation_equations
 
 BLOCKS = {"short period": (0, 1), "mode 1": (2,), "mode 2": (3,)}
 """Rows and columns of Eq. 29 that each motion would have to itself."""

@@ -13,7 +13,7 @@ import anywidget
 import ipywidgets as widgets
 import traitlets
 
-from rlswaim import checks
+from rlswaim.source import checks
 
 Value = float | int | str
 

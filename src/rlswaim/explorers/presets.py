@@ -3,16 +3,16 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rlswaim import dual
-from rlswaim.evidence.conclusions import found_gains
-from rlswaim.evidence.matching import printed_roots
-from rlswaim.evidence.search import winners
-from rlswaim.evidence.section_4 import K_C
+from rlswaim.edition.conclusions import found_gains
+from rlswaim.edition.matching import printed_roots
+from rlswaim.edition.search import winners
+from rlswaim.edition.section_4 import K_C
 from rlswaim.explorers.parameter import Value
-from rlswaim.loops import as_text
-from rlswaim.perturbation import PerturbationEquations
-from rlswaim.rigid_body import WANTED, rigid_body, rigid_design
-from rlswaim.tables import read_table
+from rlswaim.loops import closures
+from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
+from rlswaim.loops.transfer_functions import as_text
+from rlswaim.source.tables import read_table
+from rlswaim.vehicle.equations import PerturbationEquations
 
 CORRECTED = {
     "Eq. 75, divided by U": "the rigid-body design with the division by U that Eq. 61 leaves out",
@@ -86,7 +86,7 @@ def _printed(section: str, start: str) -> list[dict[str, Any]]:
     """Return printed roots (1/s), of a pair the upper one, as a preset tells them."""
     if not start:
         return []
-    roots = dual.printed_factors(start) if section == "VII" else printed_roots(section, start).values()
+    roots = closures.printed_factors(start) if section == "VII" else printed_roots(section, start).values()
     return [{"re": r.real, "im": r.imag, "text": as_text([r])} for r in roots]
 
 

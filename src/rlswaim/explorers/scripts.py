@@ -1,10 +1,12 @@
 """The scripts of a live view, joined to the one ES module that it needs."""
 
 import re
+from importlib.resources import files
 
-from rlswaim.tables import script
+from rlswaim.source.tables import script
 
-IMPORT = re.compile(r"^import (\{[^}]*\}) from '\./(\w+)\.js';$", flags=re.MULTILINE)
+IMPORT = re.compile(r"^import (\{[^}]*\}) from '\.{1,2}/(?:\w+/)?(\w+)\.js';$", flags=re.MULTILINE)
+ROOMS = ("maths", "drawing", "page", "views")
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function\*?|const|class) (\w+))", flags=re.MULTILINE)
 
 
@@ -27,7 +29,8 @@ def module(view: str) -> str:
 
 def _bound(name: str, scopes: dict[str, str]) -> str:
     """Return a script that takes what it imports from ``scopes``; those that it needs are added there."""
-    text = script("js", f"{name}.js")
+    room = next(room for room in ROOMS if (files("rlswaim.explorers") / "js" / room / f"{name}.js").is_file())
+    text = script("js", room, f"{name}.js")
     for _, needed in IMPORT.findall(text):
         if needed not in scopes:
             scopes[needed] = _scope(needed, _bound(needed, scopes))

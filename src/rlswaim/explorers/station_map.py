@@ -8,18 +8,18 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
-from rlswaim.dual import table_3_pairs
-from rlswaim.evidence.conclusions import found_gains
+from rlswaim.edition.conclusions import found_gains
 from rlswaim.explorers import presets
 from rlswaim.explorers.control_systems import DUAL_ACTUATION
-from rlswaim.explorers.live import LiveView
+from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.stations import draw_station_map
 from rlswaim.figures.style import COLORS
-from rlswaim.perturbation import PerturbationEquations
-from rlswaim.stations import station_map
+from rlswaim.loops.closures import table_3_pairs
+from rlswaim.loops.station_maps import station_map
+from rlswaim.vehicle.equations import PerturbationEquations
 
 
 def designs() -> dict[str, dict[str, Value]]:

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import NullLocator
 
+from rlswaim.edition.ledger import VERDICTS, Entry
 from rlswaim.figures.style import COLORS
-from rlswaim.ledger import VERDICTS, Entry
 
 FLOOR = 1e-4
 """Differences below this (percent), zero among them, are drawn at it."""

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 
-from rlswaim.conditioning import Family, sensitivity
-from rlswaim.tables import read_table
+from rlswaim.edition.conditioning import Family, sensitivity
+from rlswaim.source.tables import read_table
 
 
 def draw_sensitivities(ax: Axes, loops: Mapping[str, Family]) -> Axes:

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.style import COLORS
-from rlswaim.locus import RootLocus
-from rlswaim.loops import Closure
+from rlswaim.loops.transfer_functions import Closure
+from rlswaim.rootlocus.locus import RootLocus
 
 STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": (0, (5, 1, 1, 1, 1, 1))}
 """A line style for each part, so that a locus is read without its colors too."""

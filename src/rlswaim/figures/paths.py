@@ -6,10 +6,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
+from rlswaim.edition.table_3_readings import Readings
 from rlswaim.figures.loci import draw_poles, draw_printed_roots
 from rlswaim.figures.style import COLORS
-from rlswaim.locus import RootLocus
-from rlswaim.readings import Readings
+from rlswaim.rootlocus.locus import RootLocus
 
 
 def draw_far_locus(ax: Axes, locus: RootLocus, closed: ArrayLike, printed: ArrayLike) -> Axes:

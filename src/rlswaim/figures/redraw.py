@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from numpy.typing import NDArray
 
-from rlswaim import checks
 from rlswaim.figures.style import COLORS
-from rlswaim.locus import RootLocus
+from rlswaim.rootlocus.locus import RootLocus
+from rlswaim.source import checks
 
 
 class LocusPicture:

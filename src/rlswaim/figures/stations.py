@@ -7,10 +7,10 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import CenteredNorm
 
-from rlswaim.dual import Stiffening, direct_response
 from rlswaim.figures.style import COLORS
-from rlswaim.locus import RootLocus
-from rlswaim.perturbation import PerturbationEquations
+from rlswaim.loops.closures import Stiffening, direct_response
+from rlswaim.rootlocus.locus import RootLocus
+from rlswaim.vehicle.equations import PerturbationEquations
 
 LOOKS = {
     "no": ("o", COLORS["neutral"]),
@@ -26,7 +26,8 @@ def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquatio
     ----------
     ax : Axes
     pairs : sequence of Stiffening
-        From `rlswaim.dual.table_3`; a ring marks pairs that leave no root right of the axis at some gain.
+        From `rlswaim.loops.closures.table_3`; a ring marks pairs that leave no root right of the axis
+        at some gain.
     eqs : PerturbationEquations
 
     Returns

@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
-from rlswaim.checks import LENGTH
 from rlswaim.figures.style import COLORS
-from rlswaim.locus import RootLocus
-from rlswaim.vehicle import Booster
+from rlswaim.rootlocus.locus import RootLocus
+from rlswaim.source.checks import LENGTH
+from rlswaim.vehicle.booster import Booster
 
 
 def _along_the_vehicle(ax: Axes) -> Axes:

@@ -1,0 +1,169 @@
+"""Why printed numbers are as they are: computations that repeat the slip and end at the printed number.
+
+``data/causes.csv`` says for each disagreement of more than rounding what was found, or what was
+tried in vain; here is the number that each found cause leads to.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial import polynomial as npp
+from numpy.typing import NDArray
+
+from rlswaim.edition import section_7
+from rlswaim.edition.matching import printed_roots
+from rlswaim.edition.section_4 import K_C, closed_loop_roots
+from rlswaim.edition.section_5 import quartic
+from rlswaim.loops import closures
+from rlswaim.loops.rigid_body_design import RigidBody, rigid_body, rigid_design
+from rlswaim.loops.transfer_functions import closed_polynomial, displacement_numerator
+from rlswaim.rootlocus.polynomials import roots
+from rlswaim.source.tables import constants, printed, read_table
+from rlswaim.vehicle.equations import ROWS, PerturbationEquations, printed_equations
+
+READ = {39: (7.15, -2.2), 140: (1.6, 5.4), 300: (-1.25, -1.25)}
+"""Deflections of both modes that the report's later numbers ask for, read off Figure 5, by station (ft)."""
+
+
+class Cause(NamedTuple):
+    """What went wrong in some rows of the ledger.
+
+    ``found`` is "yes", "reading" (a value read off a figure) or "no".  ``to`` tells how near the repeated
+    slip comes to the printed number: "last digit", "slide rule" (half a percent), "plot" (five percent of
+    a root's size); it is empty where nothing can be repeated.
+    """
+
+    name: str
+    rows: tuple[str, ...]
+    found: str
+    to: str
+    what: str
+
+
+def causes() -> tuple[Cause, ...]:
+    """Return all causes, found or not, in the order of the report."""
+    return tuple(
+        Cause(r["cause"], tuple(r["rows"].split()), r["found"], r["to"], r["what"])
+        for r in read_table("causes")
+    )
+
+
+def figures(x: float, digits: int) -> float:
+    """Return ``x`` to so many significant ``digits``, halves away from zero, as one writes them down."""
+    return float(f"{x * (1 + 1e-12):.{digits - 1}e}")  # 24.65 goes up, as it does on paper
+
+
+def _undivided(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
+    """Return Eqs. 61 to 76 with gain terms that are not divided by U."""
+    body = rigid_body(eqs)
+    as_printed = RigidBody(*(p[f"eq61-{name}"] for name in ("c_0", "c_1", "g_0", "g_1")))
+    gains = rigid_design(as_printed, omega=2.0, zeta=0.5, K_C=K_C)
+    return {
+        "eq61-g_1": body.g_1 * eqs.U,
+        "eq61-g_0": body.g_0 * eqs.U,
+        "eq73-gain": p["eq61-g_1"] * K_C,
+        "eq74-gain": p["eq61-g_0"] * K_C,
+        "eq75-K_A": gains.K_A,
+        "eq76-s": 1 / (p["eq75-K_A"] * K_C),
+        "eq76-1": 1 / p["eq75-K_A"],
+    }
+
+
+def _digits(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
+    """Return the numbers with a digit too many, exchanged or lost, or with the point elsewhere."""
+    mode = closed_loop_roots(eqs, p["eq75-K_A"], p["eq75-K_R"], 400, order=3)
+    short = f"{max(abs(mode[mode.imag > 0])) ** 2:.3g}"
+    I_y = f"{constants('vehicle')['I_y']:.4e}"
+    s3 = closures.literal_bracket(eqs)[3, 0, 1]
+    return {
+        "eq38-gust_M": -100 * eqs.coefficients["M_alpha"],
+        "eq79-mode1-w2": float(short[:2] + "1" + short[2:]),
+        "eq125-M": -1 / float(I_y[:4] + I_y[5] + I_y[4] + I_y[6:]),
+        "eq133-s3-1-M": np.trunc(s3 * 1e3) / 1e3,
+    }
+
+
+def _readings(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return gains and zeros that hang on deflections read off Figure 5."""
+    drive = [eqs.coefficients["F1_delta"], eqs.coefficients["F2_delta"]]
+    sums = {x: sum(figures(p * f, 3) for p, f in zip(READ[x], drive, strict=True)) for x in (140, 300)}
+    loop, kK_z = closures.final_design()
+    read = closures.with_reading(eqs, loop.sensor, READ[39])
+    top = sum(figures(p * f, 3) for p, f in zip(READ[39], drive, strict=True))
+    gain = -kK_z * loop.K_r * eqs.jet["Z"] * top / printed("IV")["eq92-gain"]
+    zeros = section_7.paired("eq136-zero-", _eq136_zeros(read, loop))
+    names = ("gain", "zero-r5", "zero-r6", "zero-c2-re", "zero-c2-im")
+    found = {f"eq136-{name}": ({"eq136-gain": gain} | zeros)[f"eq136-{name}"] for name in names}
+    return found | {"eq108-gain": sums[140], "eq115-gain": sums[300]}
+
+
+def _eq136_zeros(eqs: PerturbationEquations, loop: closures.JetLoop) -> NDArray:
+    before = closures.printed_factors("eq135-")
+    return np.array([-loop.b, *before, *roots(closures.elastic_numerator(eqs, "delta", loop)[:6])[1:]])
+
+
+def printed_bracket() -> NDArray:
+    """Return the braces of Eq. 133 as printed, slips and all: as `closures.literal_bracket`."""
+    number = printed("VII", "eq133-")
+    bracket = np.zeros((5, 2, 4))
+    bracket[4, 0, 2], bracket[4, 1, 3] = -number["s4-1"], -number["s4-2"]
+    for power in range(4):
+        for i in range(2):
+            bracket[power, i] = [number[f"s{power}-{i + 1}-{row}"] for row in ROWS]
+    return bracket
+
+
+def printed_closed_1(eqs: PerturbationEquations) -> NDArray:
+    """Return the characteristic polynomial of closure 1 from Eq. 133 as printed and `READ`."""
+    loop, kK_z = closures.final_design()
+    arms = [1, loop.jet - eqs.l_CG, *READ[140]]
+    braces = np.einsum("kij,i,j->k", printed_bracket(), READ[39], arms)
+    top = -printed("VII", "eq133-")["scale"] * kK_z * loop.K_r * npp.polymul([loop.b, 1.0], [0.0, *braces])
+    return npp.polyadd(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()), top)
+
+
+def _section_7(eqs: PerturbationEquations) -> dict[str, float]:
+    loop, _ = closures.final_design()
+    less = closures.literal_bracket(eqs)[:4, 0, 2] - closures.dropped_product(eqs)
+    alpha = closures.jet_numerator(eqs, loop, as_printed=True)
+    return {
+        **{f"eq133-s{power}-1-F1": float(value) for power, value in enumerate(less)},
+        "eq135-gain": alpha[6],
+        **section_7.paired("eq135-", roots(alpha[:7])[1:]),
+        **section_7.paired("text-closure1-", roots(printed_closed_1(eqs))[1:]),
+        **_counts(loop),
+    }
+
+
+def _counts(loop: closures.JetLoop) -> dict[str, float]:
+    """Return what the text counts, in Eq. 137 as printed."""
+    poles = np.array(closures.printed_factors("eq137-pole-"))
+    real = poles[poles.imag == 0]
+    opened = closures.printed_closure_3(*(constants("section_7")[name] for name in ("K_C", "K_R")))
+    closed = roots(closed_polynomial(opened, 1e-6))
+    return {
+        "text-short": float(np.sum(np.abs(real + loop.b) > 0.1)),
+        "text-elastic": float(np.sum(poles.imag > 0)),
+        "text-unstable": float(np.sum(closed.real > 0)),
+    }
+
+
+def results() -> dict[str, float]:
+    """Return the number that each repeated slip ends at, by the id of its row."""
+    eqs, p = printed_equations(), printed("IV")
+    found = _undivided(eqs, p) | _digits(eqs, p) | _readings(eqs) | _section_7(eqs)
+    named = {row for cause in causes() if cause.to for row in cause.rows}
+    return {row: float(value) for row, value in found.items() if row in named}
+
+
+def quartic_differences(eqs: PerturbationEquations) -> NDArray:
+    """Return the printed less our quartic of the sensors' zeros, at stations 140 and 300: shape (2, 5).
+
+    From Eqs. 108 and 115, leading coefficients 1, constant term first.
+    """
+    rows = []
+    for section, start, station in (("V", "eq108-z", 140), ("VI", "eq115-z", 300)):
+        theirs = quartic(np.array(list(printed_roots(section, start).values())))
+        ours = displacement_numerator(closures.with_reading(eqs, station, READ[station]), station, b=0.0)[2:7]
+        rows.append(theirs - ours / ours[-1])
+    return np.array(rows)

@@ -1,0 +1,209 @@
+"""Section VIII: computations for and against the report's conclusions that stand in no other chapter."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+import control
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_continuous_lyapunov
+
+from rlswaim.edition.search import abscissas, search, slow_bound, slow_roots
+from rlswaim.loops import family
+from rlswaim.loops.certificates import slow_root_certificate
+from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
+from rlswaim.rootlocus.polynomials import roots
+from rlswaim.source import checks
+from rlswaim.source.tables import constants, half_unit, read_table
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
+
+
+class Margin(NamedTuple):
+    """Largest real part (1/s) of all poles but a slow real one, and that slow one (nan without)."""
+
+    abscissa: float
+    slow: float
+
+
+def margin(poles: NDArray) -> Margin:
+    """Return how stable a closed loop is, a slow real root set apart; poles in 1/s, shape (n,)."""
+    one = np.asarray(poles)[None]
+    return Margin(float(abscissas(one, apart=True)[0]), float(slow_roots(one)[0]))
+
+
+def found_gains(system: str) -> dict[str, float]:
+    """Return the gains and stations of a ``system`` (``dual_actuation``) that were found by hand."""
+    rows = read_table("gains_found")
+    checks.one_of("system", system, {r["system"] for r in rows}, "found_gains")
+    return {r["parameter"]: float(r["value"]) for r in rows if r["system"] == system}
+
+
+def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
+    """Return the closed loop of a ``system`` with the gains found by hand, as state space."""
+    return family.closed_loop(eqs, system, found_gains(system))
+
+
+def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
+    """Return the characteristic polynomial of the same ``system`` from determinants, constant term first."""
+    return family.determinants(eqs, system, found_gains(system))
+
+
+def interlacing(eqs: PerturbationEquations) -> tuple[float, float]:
+    """Return the positive real zero of theta/delta and the positive real pole (1/s).
+
+    A pole between the zero and infinity, one in number, rules out every stable controller of
+    the rigid-body angle (the parity interlacing of Youla, Bongiorno and Lu; not in the report).
+    """
+    zeros, poles = roots(eqs.numerator("theta", "delta")), roots(eqs.characteristic_polynomial())
+    return float(zeros.real.max()), float(poles.real.max())
+
+
+def constant_term(eqs: PerturbationEquations) -> tuple[float, float]:
+    """Return N of theta/delta at s = 0, and how far the last printed digits of Eq. 38 can move it."""
+    here = eqs.numerator("theta", "delta")[0]
+    total = 0.0
+    for row in read_table("equations_as_printed"):
+        name = row["symbol"]
+        if name in eqs.coefficients:
+            moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half_unit(row["value"])}
+            total += abs(replace(eqs, coefficients=moved).numerator("theta", "delta")[0] - here)
+    return float(here), float(total)
+
+
+def unstable_root(booster: Booster) -> float:
+    """Return the largest real part of the poles of the uncontrolled vehicle (1/s) [Eq. 41]."""
+    return float(roots(perturbation_equations(booster).characteristic_polynomial()).real.max())
+
+
+def stiffened(booster: Booster, factor: float) -> Booster:
+    """Return the vehicle with both free-free frequencies multiplied by a ``factor``."""
+    return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
+
+
+def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
+    """Return the vehicle with the lift of ``payload`` surface and ``fins`` multiplied by these factors."""
+    pairs = zip(booster.surfaces, (payload, fins), strict=True)
+    return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
+
+
+def surfaces_cut(booster: Booster) -> Mapping[str, Booster]:
+    """Return the vehicle with its lifting surfaces cut down one way at a time [recommendation 1]."""
+    return {
+        "payload surface halved": resurfaced(booster, 0.5, 1.0),
+        "no payload surface": resurfaced(booster, 0.0, 1.0),
+        "fins halved": resurfaced(booster, 1.0, 0.5),
+        "no fins": resurfaced(booster, 1.0, 0.0),
+        "no surface at all": resurfaced(booster, 0.0, 0.0),
+    }
+
+
+def cures(booster: Booster) -> Mapping[str, float]:
+    """Return the unstable root (1/s) of the vehicle varied one way at a time [conclusion 2]."""
+    cases = {
+        "as it is": booster,
+        "no air (q_D = 0)": replace(booster, flight=replace(booster.flight, q_D=0.0)),
+        "no thrust": replace(booster, T=0.0),
+        **surfaces_cut(booster),
+        "fins doubled": resurfaced(booster, 1.0, 2.0),
+        "both frequencies doubled": stiffened(booster, 2.0),
+        "both frequencies five times": stiffened(booster, 5.0),
+    }
+    return {name: unstable_root(case) for name, case in cases.items()}
+
+
+class Steered(NamedTuple):
+    """A vehicle with rate and attitude feedback to the thrust alone, a slow real root set apart.
+
+    Its unstable root without control (1/s); the number of gyro stations, and of those at which no
+    gains stabilize; and the least abscissa (1/s) that a search finds, nan where all are ruled out.
+    """
+
+    unstable: float
+    stations: int
+    ruled_out: int
+    abscissa: float
+
+
+def steered(booster: Booster, rounds: int = 400) -> Steered:
+    """Return whether rate and attitude feedback can stabilize a vehicle [recommendation 1].
+
+    Parameters
+    ----------
+    booster : Booster
+    rounds : int
+        Generations of the search.
+    """
+    eqs, stations = perturbation_equations(booster), range(0, 421, 5)
+    ruled = sum(slow_root_certificate(eqs, float(x), slow=slow_bound()) > 1e-6 for x in stations)
+    open_to_search = ruled < len(stations)
+    best = search(eqs, "rate_attitude", "apart", rounds=rounds).abscissa if open_to_search else float("nan")
+    return Steered(unstable_root(booster), len(stations), ruled, best)
+
+
+class Damped(NamedTuple):
+    """A gust on the stiffened vehicle, its attitude loop closed and the jet damping its modes.
+
+    ``zeta`` is the damping ratio of the first mode; the rest are root mean squares for white
+    noise of unit intensity in alpha_g (rad): of q_1 and q_2 (ft), delta (rad) and the jet (lb).
+    """
+
+    kK_z: float
+    zeta: float
+    q1: float
+    q2: float
+    delta: float
+    jet: float
+
+
+def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
+    """Return what damping the modes does to the response to gusts with little interaction [conclusion 6].
+
+    Parameters
+    ----------
+    booster : Booster
+    kK_z : float
+        Gain of the jet's loop (lb s/ft); its other constants are those of `found_gains`.
+    factor : float
+        Of both frequencies; the attitude loop is designed for the rigid body, as in Section IV.
+    """
+    stiff = stiffened(booster, factor)
+    eqs = perturbation_equations(stiff)
+    design = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=0.5, K_C=10)
+    chosen = found_gains("dual_actuation") | {"kK_z": kK_z, "K_A": design.K_A, "K_R": design.K_R}
+    loop = family.closed_loop(eqs, "dual_actuation", chosen)
+    gust = loop.B[:, [loop.input_labels.index("alpha_g")]]
+    covariance = loop.C @ solve_continuous_lyapunov(loop.A, -gust @ gust.T) @ loop.C.T
+    rms = dict(zip(loop.output_labels, np.sqrt(np.diag(covariance)), strict=True))
+    pole = min(loop.poles(), key=lambda p: abs(p - 1j * stiff.modes[0].omega))
+    zeta, names = float(-pole.real / abs(pole)), ("q1", "q2", "delta", "delta_r")
+    return Damped(kK_z, zeta, *(float(rms[name]) for name in names))
+
+
+def with_longitudinal(eqs: PerturbationEquations, alpha_0: float) -> float:
+    """Return the unstable root (1/s) with the equation along x added [recommendation 4].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    alpha_0 : float
+        Steady angle of attack (rad); 0 on the report's ballistic path.
+
+    Notes
+    -----
+    Ours, not the report's.  In body axes, u the change of speed along x, drag left out:
+    u' = -U alpha_0 theta' - g theta; and u changes each aerodynamic force of the steady
+    alpha_0 by 2 u/U of itself, which is the column of alpha times 2 alpha_0 u/U.
+    """
+    A = np.pad(eqs.state_space().A, ((0, 1), (0, 1)))
+    alpha_0 = checks.real("alpha_0", alpha_0, "with_longitudinal")
+    A[:7, 7] = 2 * alpha_0 / eqs.U * A[:7, 0]
+    A[7, 1], A[7, 2] = -constants("vehicle")["g"], -eqs.U * alpha_0
+    return float(np.linalg.eigvals(A).real.max())
+
+
+def full_state_feedback(eqs: PerturbationEquations) -> NDArray:
+    """Return the closed-loop poles (1/s) of optimal full-state feedback to the thrust, unit weights."""
+    vehicle = eqs.state_space()
+    return np.asarray(control.lqr(vehicle.A, vehicle.B[:, [0]], np.eye(vehicle.nstates), np.eye(1))[2])

@@ -1,0 +1,174 @@
+"""The ledger: every number that the report prints, beside the one computed here.
+
+A row of ``data/printed.csv`` holds the number as printed, as text: half a unit
+in its last digit is its tolerance.  The verdicts are a short fixed list, and
+each is tested both ways: a row that is said to disagree and starts to agree is
+an error too.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache
+
+import pandas as pd
+
+from rlswaim.edition import causes, sections
+from rlswaim.source.tables import half_unit, printed_rows
+
+VERDICTS = (
+    "agrees",
+    "rounding",
+    "plot reading",
+    "misread",
+    "misprint",
+    "arithmetic slip",
+    "carried over from a slip",
+    "not reproducible",
+)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One printed number and what became of it."""
+
+    id: str
+    section: str
+    where: str
+    quantity: str
+    printed: str
+    unit: str
+    computed: float
+    verdict: str
+    why: str
+
+    @property
+    def value(self) -> float:
+        """The printed number."""
+        return float(self.printed.replace(",", ""))
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the computed number rounds to the printed one (half a unit in its last digit)."""
+        return abs(self.computed - self.value) <= half_unit(self.printed) * (1 + 1e-9)
+
+    @property
+    def percent(self) -> float:
+        """Difference of the computed from the printed number, in percent of the printed one."""
+        return 100 * (self.computed / self.value - 1) if self.value else float("nan")
+
+
+@cache
+def ledger() -> tuple[Entry, ...]:
+    """Return all entries, in the order of the report.
+
+    Returns
+    -------
+    tuple of Entry
+        ``.id .where .printed .computed .verdict .why``, and the quantity and its unit.
+
+    Raises
+    ------
+    KeyError
+        If a row of the table has no computation behind it.
+    """
+    entries = []
+    for section, compute in sections.SECTIONS.items():
+        entries += _section(section, compute)
+    return tuple(entries)
+
+
+def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entry]:
+    computed = compute()
+    rows = printed_rows(section)
+    return [
+        Entry(
+            row["id"],
+            section,
+            row["where"],
+            row["quantity"],
+            row["printed"],
+            row["unit"],
+            float(computed[row["id"]]),
+            row["verdict"],
+            row["why"],
+        )
+        for row in rows
+    ]
+
+
+def table(entries: Iterable[Entry]) -> pd.DataFrame:
+    """Return ``entries`` as a table for a page, every cell as text.
+
+    Columns: where, quantity, printed, computed, unit, difference (%), verdict, why; indexed by id.
+    """
+    chosen = list(entries)
+    columns = {
+        "where": [e.where for e in chosen],
+        "quantity": [e.quantity for e in chosen],
+        "printed": [e.printed for e in chosen],
+        "computed": [f"{e.computed:.5g}" for e in chosen],
+        "unit": [e.unit for e in chosen],
+        "difference (%)": [f"{e.percent:.2f}" if e.value else "" for e in chosen],
+        "verdict": [e.verdict for e in chosen],
+        "why": [e.why for e in chosen],
+    }
+    return pd.DataFrame(columns, index=pd.Index([e.id for e in chosen], name="id"), dtype=object)
+
+
+def frame(section: str, start: str = "") -> pd.DataFrame:
+    """Return the entries of one section as a table for a page.
+
+    Parameters
+    ----------
+    section : str
+        ``"I"`` to ``"VII"``.
+    start : str
+        Only ids that start so, for instance ``"eq41"``.
+
+    Returns
+    -------
+    DataFrame
+        As `table`.
+    """
+    return table(e for e in ledger() if e.section == section and e.id.startswith(start))
+
+
+def errata() -> pd.DataFrame:
+    """Return every entry that does not agree, rounding included, as `table` without the difference."""
+    return table(e for e in ledger() if not e.agrees).drop(columns="difference (%)")
+
+
+def counts() -> pd.DataFrame:
+    """Return how many entries each section (rows, and "all") has of each verdict (columns, and "all")."""
+    rows = pd.DataFrame([(e.section, e.verdict) for e in ledger()], columns=["section", "verdict"])
+    found = pd.crosstab(rows.section, rows.verdict, margins=True, margins_name="all")
+    found = found.reindex(index=[*sections.SECTIONS, "all"], columns=[*VERDICTS, "all"], fill_value=0)
+    return found.rename_axis(columns=None)
+
+
+def repeated_slips() -> pd.DataFrame:
+    """Return each repeated slip or reading beside the printed number that it ends at, indexed by id.
+
+    Columns: where, printed, computed, with the slip, to (how near it comes), what was done.
+    """
+    entry, result = {e.id: e for e in ledger()}, causes.results()
+    rows = [(entry[row], cause) for cause in causes.causes() for row in cause.rows if row in result]
+    columns = {
+        "where": [e.where for e, _ in rows],
+        "printed": [e.printed for e, _ in rows],
+        "computed": [f"{e.computed:.5g}" for e, _ in rows],
+        "with the slip": [f"{result[e.id]:.5g}" for e, _ in rows],
+        "to": [cause.to for _, cause in rows],
+        "what was done": [cause.what for _, cause in rows],
+    }
+    return pd.DataFrame(columns, index=pd.Index([e.id for e, _ in rows], name="id"))
+
+
+def open_causes(found: str) -> pd.DataFrame:
+    """Return causes of one kind without a number to end at: ``found`` is "no" or "reading".
+
+    Columns: rows (ids), and what was tried or read.
+    """
+    chosen = [c for c in causes.causes() if c.found == found and not c.to]
+    columns = {"rows": [", ".join(c.rows) for c in chosen], "what": [c.what for c in chosen]}
+    return pd.DataFrame(columns, index=pd.Index([c.name for c in chosen], name="cause"))

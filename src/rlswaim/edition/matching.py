@@ -1,0 +1,76 @@
+"""Printed roots beside ours: which of our roots belongs to which row of the table.
+
+An id ends in the kind of number: ``-root`` (a real root), ``-re`` and ``-im``
+(a complex one), ``-2zw`` and ``-w2`` (s^2 + 2 zeta omega s + omega^2), or
+``-omega`` and ``-zeta``.  What stands before names the root.
+"""
+
+from collections import defaultdict
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from rlswaim.source.tables import printed
+from rlswaim.vehicle.equations import PerturbationEquations
+
+KINDS = {
+    "root": lambda s: s.real,
+    "re": lambda s: s.real,
+    "im": lambda s: abs(s.imag),
+    "2zw": lambda s: -2 * s.real,
+    "w2": lambda s: abs(s) ** 2,
+    "omega": abs,
+    "zeta": lambda s: -s.real / abs(s),
+}
+
+
+def as_written(eqs: PerturbationEquations, *starts: str) -> dict[str, float]:
+    """Return the entries of Eq. 38's matrix and thrust column, for each start of ids in ``starts``."""
+    entries = {**eqs.coefficients, "Z_thetadot": eqs.coefficients["Z_thetadot"] - eqs.U, "U": eqs.U}
+    return {f"{start}{name}": value for start in starts for name, value in entries.items()}
+
+
+def _root(kinds: dict[str, float]) -> complex:
+    """Return the root (1/s) behind its printed numbers; of a pair, the one above the real axis."""
+    if "root" in kinds:
+        return complex(kinds["root"])
+    if "re" in kinds:
+        return complex(kinds["re"], kinds["im"])
+    if "w2" in kinds:
+        return complex(-kinds["2zw"] / 2, np.sqrt(kinds["w2"] - kinds["2zw"] ** 2 / 4))
+    return kinds["omega"] * complex(-kinds["zeta"], np.sqrt(1 - kinds["zeta"] ** 2))
+
+
+def printed_roots(section: str, start: str) -> dict[str, complex]:
+    """Return printed roots (1/s) of a ``section`` by name, of rows whose id begins with ``start``."""
+    groups: dict[str, dict[str, float]] = defaultdict(dict)
+    for id_, value in printed(section).items():
+        name, _, kind = id_.rpartition("-")
+        if id_.startswith(start) and kind in KINDS:
+            groups[name][kind] = value
+    return {name: _root(kinds) for name, kinds in groups.items()}
+
+
+def roots_beside(section: str, start: str, computed: NDArray) -> dict[str, float]:
+    """Return our number for each row of printed roots, each paired with a root of its own, nearest in all.
+
+    Parameters
+    ----------
+    section : str
+    start : str
+        How the ids start, for instance ``"eq92-"``.
+    computed : ndarray of complex, shape (n,)
+        Our roots (1/s), pairs in full or by their upper root.
+
+    Returns
+    -------
+    dict of str to float
+    """
+    ours = np.asarray(computed, dtype=complex)
+    ours = ours[ours.imag >= 0]
+    theirs = printed_roots(section, start)
+    rows, columns = linear_sum_assignment(np.abs(np.array(list(theirs.values()))[:, None] - ours))
+    pairs = dict(zip(np.array(list(theirs))[rows], ours[columns], strict=True))
+    ids = [id_ for id_ in printed(section) if id_.rpartition("-")[0] in pairs]
+    return {i: float(KINDS[i.rpartition("-")[2]](pairs[i.rpartition("-")[0]])) for i in ids}

@@ -1,0 +1,159 @@
+"""How much a closed loop of Section VII bears: other mode shapes, other loop gains, delay."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import product
+from typing import NamedTuple
+
+import control
+import numpy as np
+from numpy.typing import NDArray
+
+from rlswaim.edition.search import abscissas, slow_roots
+from rlswaim.loops.family import state_matrices
+from rlswaim.source import checks
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
+
+ACTUATORS = {"thrust": 7, "jet": 8}
+"""Row of each actuator in `closing.state_matrices`: there the loop is opened."""
+FACTORS = np.geomspace(1e-3, 1e3, 6001)
+"""Loop gains that are tried, a quarter of a percent apart."""
+
+
+class Margins(NamedTuple):
+    """What one actuator's loop bears: factors on its gain, down and up, and a delay (s)."""
+
+    lower: float
+    upper: float
+    delay: float
+
+
+def _matrix(eqs: PerturbationEquations, gains: Mapping[str, float]) -> NDArray:
+    return state_matrices(eqs, {name: np.array([x]) for name, x in gains.items()})[0]
+
+
+def _bent(eqs: PerturbationEquations, factors: tuple[float, ...]) -> PerturbationEquations:
+    modes = [replace(m, deflections=m.deflections * f) for m, f in zip(eqs.modes, factors, strict=True)]
+    return replace(eqs, modes=(modes[0], modes[1]))
+
+
+def misread(eqs: PerturbationEquations, gains: Mapping[str, float], by: float = 0.05) -> NDArray:
+    """Return the poles with phi_1 and phi_2 read wrongly at the sensor and at the jet, each up or down.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gains : mapping of str to float
+        The arguments of `rlswaim.dual_actuation`.
+    by : float
+        Relative error of each of the four readings.
+
+    Returns
+    -------
+    ndarray of complex, shape (16, 9)
+        All combinations of signs (1/s).
+    """
+    corners = [tuple(1 + by * np.array(signs)) for signs in product((-1, 1), repeat=2)]
+    matrices = []
+    for at_sensor, at_jet in product(corners, repeat=2):
+        A, B = (_matrix(_bent(eqs, factors), gains) for factors in (at_sensor, at_jet))
+        A[:, 8] = B[:, 8]
+        matrices.append(A)
+    return np.linalg.eigvals(np.array(matrices))
+
+
+def reshaped(booster: Booster, gains: Mapping[str, float], by: float = 0.05) -> NDArray:
+    """Return the poles with whole mode shapes scaled, in all coefficients too; shape (4, 9).
+
+    Parameters
+    ----------
+    booster : Booster
+    gains : mapping of str to float
+        The arguments of `rlswaim.dual_actuation`.
+    by : float
+        Relative error of each mode's deflections and slopes.
+    """
+    matrices = []
+    for signs in product((-1, 1), repeat=2):
+        pairs = zip(booster.modes, 1 + by * np.array(signs), strict=True)
+        first, second = (replace(m, deflections=m.deflections * f, slopes=m.slopes * f) for m, f in pairs)
+        matrices.append(_matrix(perturbation_equations(replace(booster, modes=(first, second))), gains))
+    return np.linalg.eigvals(np.array(matrices))
+
+
+def margins(eqs: PerturbationEquations, gains: Mapping[str, float], actuator: str) -> Margins:
+    """Return the margins of a stable loop, opened in front of one actuator, the other loop closed.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gains : mapping of str to float
+        The arguments of `rlswaim.dual_actuation`.
+    actuator : str
+        ``"thrust"`` or ``"jet"``.
+
+    Returns
+    -------
+    Margins
+
+    Raises
+    ------
+    ValueError
+        If the loop is not stable as it is, or the actuator is unknown.
+    """
+    at = ACTUATORS[checks.one_of("actuator", actuator, tuple(ACTUATORS), "margins")]
+    A = _matrix(eqs, gains)
+    if (worst := np.linalg.eigvals(A).real.max()) >= 0:
+        raise ValueError(f"gains in margins: got a loop with a root at {worst:.3g} 1/s, wanted a stable one")
+    scaled = np.repeat(A[None], FACTORS.size, axis=0)
+    scaled[:, at, :7] *= FACTORS[:, None]
+    fails = FACTORS[np.linalg.eigvals(scaled).real.max(axis=1) >= 0]
+    lower, upper = fails[fails < 1].max(initial=0.0), fails[fails > 1].min(initial=np.inf)
+    return Margins(float(lower), float(upper), _delay(A, at))
+
+
+def _delay(A: NDArray, at: int) -> float:
+    """Return the least delay (s) in front of the actuator in row ``at`` that brings a root to the axis."""
+    row, opened, push = -A[at, :7] / -A[at, at], A.copy(), np.zeros((len(A), 1))
+    opened[at, :7], push[at] = 0.0, -A[at, at]
+    loop = control.ss(opened, push, np.r_[row, np.zeros(len(A) - 7)][None], 0)
+    _, phase, _, _, crossings, _ = control.stability_margins(loop, returnall=True)
+    return float((np.radians(phase) % (2 * np.pi) / crossings).min(initial=np.inf))
+
+
+def borne(eqs: PerturbationEquations, booster: Booster, gains: Mapping[str, float]) -> dict[str, str]:
+    """Return what one loop bears, as texts by row: largest real parts (1/s), then margins.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+        With the printed coefficients.
+    booster : Booster
+    gains : mapping of str to float
+        The arguments of `rlswaim.dual_actuation`.
+    """
+    cases = {
+        "printed coefficients": np.linalg.eigvals(_matrix(eqs, gains))[None],
+        "coefficients from Section II": np.linalg.eigvals(_matrix(perturbation_equations(booster), gains))[
+            None
+        ],
+        "worst of 16: φ read 5 % wrong at sensor and jet": misread(eqs, gains),
+        "worst of 4: whole shapes 5 % wrong": reshaped(booster, gains),
+    }
+    rows = {
+        f"{name} (1/s)": f"{abscissas(p, True).max():.3f}, slow root {_slow(p)}" for name, p in cases.items()
+    }
+    for name in ACTUATORS:
+        bears = margins(eqs, gains, name)
+        less = f"down to {bears.lower:.2f}" if bears.lower else "any less"
+        more = f"up to {bears.upper:.2f}" if np.isfinite(bears.upper) else "any more"
+        rows[f"factor on the gain of the {name} loop"] = f"{less}, {more}"
+        rows[f"delay in the {name} loop (s)"] = f"{bears.delay:.2g}"
+    return rows
+
+
+def _slow(poles: NDArray) -> str:
+    """Return the rightmost of the slow roots of some loops as text."""
+    slow = slow_roots(poles)
+    return "none" if np.isnan(slow).all() else f"{np.nanmax(slow):+.2g}"

@@ -1,0 +1,114 @@
+"""Section VII: the reaction jet, its three closures and Table 3 [Eqs. 120-137]."""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from rlswaim.edition.matching import as_written
+from rlswaim.loops import closures
+from rlswaim.loops.transfer_functions import closed_polynomial
+from rlswaim.rootlocus.polynomials import roots
+from rlswaim.source.tables import constants, printed
+from rlswaim.vehicle.booster import swaim_booster
+from rlswaim.vehicle.equations import ROWS, PerturbationEquations, perturbation_equations, printed_equations
+
+
+def paired(start: str, found: NDArray) -> dict[str, float]:
+    """Return for each printed root, by id, the computed one that pairs with it (least total distance).
+
+    Parameters
+    ----------
+    start : str
+        Of the ids: ``r1`` and so on follow for real roots, ``c1-re`` and ``c1-im`` for pairs.
+    found : ndarray of complex
+        Computed roots (1/s); one of each conjugate pair is enough.
+
+    Returns
+    -------
+    dict
+        Empty places, where roots are fewer than printed, hold nan.
+    """
+    number = {name: value for name, value in printed("VII", start).items() if name[0] in "rc"}
+    names = [name for name in number if not name.endswith("-im")]
+    wanted = np.array([complex(number[n], number.get(f"{n.removesuffix('-re')}-im", 0.0)) for n in names])
+    found = np.asarray(found)[np.imag(found) >= 0]
+    cost = np.abs(np.arcsinh(wanted.real)[:, None] - np.arcsinh(found.real)) + np.abs(
+        np.arcsinh(wanted.imag)[:, None] - np.arcsinh(found.imag)
+    )
+    cost = np.sqrt(cost)  # so that a root in its place counts for more than two halfway there
+    cost += 100 * ((wanted.imag > 0)[:, None] != (found.imag > 0))
+    numbers = {f"{start}{name}": float("nan") for name in number}
+    for i, j in zip(*linear_sum_assignment(cost), strict=True):
+        numbers[f"{start}{names[i]}"] = float(found[j].real)
+        if names[i].endswith("-re"):
+            numbers[f"{start}{names[i].replace('-re', '-im')}"] = float(found[j].imag)
+    return numbers
+
+
+def _determinants(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return the entries of the determinants in Eqs. 131 and 132."""
+    jets = {f"jet_{row}": closures.ARMS[row] * eqs.jet[row] for row in ROWS}
+    number = as_written(eqs, "eq131-", "eq132-")
+    return number | {f"{eq}-{name}": value for eq in ("eq131", "eq132") for name, value in jets.items()}
+
+
+def _bracket(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return the numbers in the braces of Eq. 133, and the factor before them."""
+    bracket = closures.literal_bracket(eqs)
+    numbers = {"eq133-scale": 1e-3 / eqs.U, "eq133-s4-1": -bracket[4, 0, 2], "eq133-s4-2": -bracket[4, 1, 3]}
+    for power in range(4):
+        for i in range(2):
+            numbers |= {f"eq133-s{power}-{i + 1}-{row}": bracket[power, i, r] for r, row in enumerate(ROWS)}
+    return numbers
+
+
+def _closures(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return the roots and gains of Eqs. 135 to 137: each from what the report has printed before it."""
+    loop, kK_z = closures.final_design()
+    wanted, printed_2 = closures.jet_numerator(eqs, loop), closures.printed_closure_2()
+    opened = closures.closure_2(eqs, loop, kK_z, as_printed=True)
+    gain = opened.num[0][0][0] / opened.den[0][0][0]
+    closed = roots(closed_polynomial(printed_2))
+    before = [closures.printed_factors(start) for start in ("eq135-", "text-closure1-", "text-closure2-")]
+    elastic = roots(closures.elastic_numerator(eqs, "delta", loop)[:6])
+    theta, delta = roots(eqs.numerator("theta", "delta")), roots(eqs.characteristic_polynomial())
+    return {
+        "eq135-gain": wanted[5],
+        **paired("eq135-", roots(wanted[:6])),
+        **paired("text-closure1-", roots(closures.closed_1(eqs, loop, kK_z))[1:]),
+        "eq136-gain": gain,
+        **paired("eq136-zero-", np.array([-loop.b, *before[0], *elastic[1:]])),
+        **paired("eq136-pole-", np.array([*theta, *before[1]])),
+        **paired("text-closure2-", closed),
+        "eq137-gain": eqs.numerator("theta", "delta")[5],
+        **paired("eq137-zero-", np.array(before[2])),
+        **paired("eq137-pole-", np.array([*delta[1:], *before[1]])),
+    }
+
+
+def _text(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return what the text counts and says of Table 3 and of Figures 24 and 25."""
+    loop, kK_z = closures.final_design()
+    chosen, pairs = constants("section_7"), closures.table_3(eqs)
+    poles = roots(closures.closed_1(eqs, loop, kK_z))[1:]
+    third = closures.closure_3(eqs, loop, kK_z, chosen["K_C"], chosen["K_R"])
+    closed = roots(closed_polynomial(third))
+    pseudo = (poles.imag == 0) & (np.abs(poles + loop.b) > 0.1)  # one real root is the sensor's, near -b
+    return {
+        "text-pairs": float(len(pairs)),
+        "text-stiffened": float(sum(p.verdict == "rises throughout" for p in pairs)),
+        "text-factor": min(next(p.factors for p in pairs if p.case == 22)),
+        "text-elastic": float(np.sum(poles.imag > 0)),
+        "text-short": float(np.sum(pseudo)),
+        "text-unstable": float(np.sum(closed.real > 0)),
+        **{f"fig24-{name}": chosen[name] for name in ("K_r", "b", "sensor", "jet")},
+        **{f"fig25-{name}": value for name, value in chosen.items()},
+        "text-kK_z": kK_z,
+    }
+
+
+def computed() -> dict[str, float]:
+    """Return our number for each row of section VII of ``data/printed.csv``, by its id."""
+    eqs, own = printed_equations(), perturbation_equations(swaim_booster())
+    jet = {f"eq125-{row}": -closures.ARMS[row] * own.jet[row] for row in ROWS}
+    return jet | _determinants(eqs) | _bracket(eqs) | _closures(eqs) | _text(eqs)

@@ -1,0 +1,65 @@
+"""An explorer: the live view of one control system, with its closed loop and poles in Python."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import control
+import traitlets
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from rlswaim.explorers.live_view import LiveView
+from rlswaim.explorers.parameter import Parameter, Value
+from rlswaim.explorers.scripts import module
+from rlswaim.explorers.still import Drawing, draw_locus
+from rlswaim.source.tables import script
+
+
+class Explorer(LiveView):
+    """A control system under sliders; it displays itself with them.
+
+    Each parameter is an attribute that can be read and set: ``explorer.K_A = 1.8``.
+
+    Raises
+    ------
+    ValueError
+        If a value is not finite or out of range, or a choice is unknown.
+    TypeError
+        If a value is not of its kind, or a parameter is unknown.
+    """
+
+    _esm = module("control_system")
+    _css = script("explorer.css")
+    magnify = traitlets.Float(1.0, help="of the small window about the origin; 1: none").tag(sync=True)
+
+    def __init__(
+        self,
+        system: str,
+        parameters: Sequence[Parameter],
+        payload: Mapping[str, Any],
+        closed_loop: Callable[..., control.StateSpace],
+        values: Mapping[str, Value],
+    ) -> None:
+        self.system, self._closed_loop = system, closed_loop
+        super().__init__(parameters, payload, values)
+
+    def closed_loop(self) -> control.StateSpace:
+        """Return the closed loop under the sliders."""
+        return self._closed_loop(**self.values())
+
+    def poles(self) -> NDArray:
+        """Return the closed-loop poles under the sliders (1/s)."""
+        return self.closed_loop().poles()
+
+    def draw(self, ax: Axes) -> Axes:
+        """Draw the root locus in the gain that is closed last."""
+        running, values = self.payload["closing"][-1], self.values()
+
+        def loop(gain: float) -> control.StateSpace:
+            return self._closed_loop(**{**values, running: gain})
+
+        return draw_locus(ax, loop, float(values[running]), running)
+
+    def drawings(self) -> list[Drawing]:
+        """Return `draw` alone."""
+        return [self.draw]

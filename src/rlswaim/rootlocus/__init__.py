@@ -1,0 +1,1 @@
+"""A general engine for root loci, which knows no rocket."""

@@ -1,0 +1,182 @@
+"""Polynomials and polynomial matrices; coefficients run from the constant term up."""
+
+from fractions import Fraction
+
+import numpy as np
+from numpy.polynomial import polynomial as npp
+from numpy.typing import ArrayLike, NDArray
+
+from rlswaim.rootlocus import fast
+
+
+def determinant(matrix: NDArray) -> NDArray:
+    """Return the determinant of a polynomial matrix, expanded along its first row.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (n, n, m)
+        ``matrix[i, j]`` holds the coefficients of entry (i, j), constant term first.
+
+    Returns
+    -------
+    ndarray, shape (n (m - 1) + 1,)
+        Coefficients of the determinant, constant term first.
+    """
+    n, _, m = matrix.shape
+    if n == 1:
+        return matrix[0, 0].copy()
+    total = np.zeros(n * (m - 1) + 1)
+    for j in range(n):
+        minor = np.delete(matrix[1:], j, axis=1)
+        total += (-1) ** j * np.convolve(matrix[0, j], determinant(minor))
+    return total
+
+
+def trimmed(coefficients: ArrayLike) -> NDArray:
+    """Return a polynomial's coefficients without leading zeros (at the end: constant term first)."""
+    p = np.asarray(coefficients, dtype=float)
+    return p[: max(p.nonzero()[0], default=0) + 1]
+
+
+def derivative(coefficients: NDArray) -> NDArray:
+    """Return the ``coefficients`` of a polynomial's derivative."""
+    return coefficients[1:] * np.arange(1, coefficients.size)
+
+
+def values(coefficients: NDArray, s: NDArray) -> NDArray:
+    """Return a polynomial of given ``coefficients`` at points ``s``, shape (m,)."""
+    return np.vander(s, coefficients.size, increasing=True) @ coefficients
+
+
+def roots(coefficients: ArrayLike) -> NDArray:
+    """Return the roots of a polynomial, zeros at the origin exactly so.
+
+    Parameters
+    ----------
+    coefficients : array_like, shape (n + 1,)
+        Constant term first.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+    """
+    p = trimmed(coefficients)
+    at_origin = int(np.flatnonzero(p)[0]) if p.any() else 0
+    return np.concatenate([np.zeros(at_origin), _roots_elsewhere(p[at_origin:])]).astype(complex)
+
+
+def _roots_elsewhere(p: NDArray) -> NDArray:
+    """Return the roots of a polynomial whose constant term is not 0."""
+    if p.size < 2:
+        return np.zeros(0)
+    module = fast.compiled()
+    if module:
+        found, trusted = module.roots(np.array(p))
+        if trusted:
+            return np.sort(found)
+    # Eigenvalues find roots of size 1 best; by logarithms, since powers of a tiny size overflow.
+    with np.errstate(divide="ignore"):
+        logs = np.log(np.abs(p))
+    log_size = (logs[0] - logs[-1]) / (p.size - 1)
+    logs += log_size * np.arange(p.size)
+    return _polished(p, np.exp(log_size) * npp.polyroots(np.sign(p) * np.exp(logs - logs.max())))
+
+
+def horner(
+    coefficients: NDArray, s: NDArray, sizes: NDArray | None = None
+) -> tuple[NDArray, NDArray, NDArray]:
+    """Return a polynomial, its derivative and the sum of its terms' sizes, at many points.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (n + 1,) or (n + 1, K)
+        Constant term first; one polynomial for each column.
+    s : ndarray of complex, shape (m,) or (m, K)
+    sizes : ndarray, shape of the coefficients, optional
+        What each coefficient is a small difference of; by default its own size.
+
+    Returns
+    -------
+    tuple of ndarray, each of the shape of s
+        p(s), p'(s), and the sum of sizes times |s|^i: the error of p(s) is of order 2^-52 times that.
+    """
+    size, sizes = np.abs(s), np.abs(coefficients) if sizes is None else sizes
+    p, slope, terms = coefficients[-1] + 0 * s, 0 * s, sizes[-1] + 0 * size
+    for c, c_size in zip(coefficients[-2::-1], sizes[-2::-1], strict=True):
+        slope = slope * s + p
+        p = p * s + c
+        terms = terms * size + c_size
+    return p, slope, terms
+
+
+def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) -> NDArray:
+    """Return roots: approximations after Newton steps on the coefficients where they can only improve.
+
+    A step is taken where it is small beside the distance to the next root, and larger than
+    the rounding error of the polynomial explains; multiple roots are left as they are.
+    """
+    found = approximations
+    distance = np.abs(found[:, None] - found[None])
+    nearest = np.where(np.eye(found.size, dtype=bool), np.inf, distance).min(axis=1, initial=np.inf)
+    for _ in range(steps):
+        p, slope, terms = horner(coefficients, found)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step = p / slope
+            useful = (np.abs(step) < 1e-2 * nearest) & (np.abs(p) > 1e-16 * terms)
+        if not useful.any():
+            break
+        found = found - np.where(useful, step, 0)
+    return found
+
+
+def _exact_integers(matrix: NDArray) -> tuple[list[list[int]], int]:
+    """Return integers N and an exponent e with matrix = N / 2^e exactly."""
+    ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
+    e = max(d.bit_length() - 1 for row in ratios for _, d in row)
+    return [[n * (2**e // d) for n, d in row] for row in ratios], e
+
+
+def exact_characteristic_polynomial(A: NDArray) -> list[Fraction]:
+    """Return det(sI - A) of a matrix of floats without rounding (Faddeev and LeVerrier).
+
+    Parameters
+    ----------
+    A : ndarray, shape (n, n)
+
+    Returns
+    -------
+    list of Fraction, length n + 1
+        Coefficients, constant term first.
+    """
+    integers, e = _exact_integers(A)
+    n = len(integers)
+    N = np.array(integers, dtype=object).reshape(n, n)
+    product, coefficients = np.zeros((n, n), dtype=object), [1]
+    for k in range(1, n + 1):
+        product = N @ product + coefficients[-1] * N
+        coefficients.append(-sum(product[i, i] for i in range(n)) // k)
+    return [Fraction(c, 2 ** (e * k)) for k, c in enumerate(coefficients)][::-1]
+
+
+def characteristic_polynomial(A: NDArray, B: NDArray | None = None, C: NDArray | None = None) -> NDArray:
+    """Return det(sI - A), or the numerator C adj(sI - A) B, each coefficient correctly rounded.
+
+    Parameters
+    ----------
+    A : ndarray, shape (n, n)
+    B, C : ndarray, shapes (n, 1) and (1, n), optional
+        With them the result is det(sI - A + B C) - det(sI - A), the numerator of C (sI - A)^-1 B.
+
+    Returns
+    -------
+    ndarray, shape (n + 1,)
+        Constant term first.
+    """
+    p = exact_characteristic_polynomial(np.asarray(A, dtype=float))
+    if B is None or C is None:
+        return np.array([float(c) for c in p])
+    bordered = np.block([[np.asarray(A, float), B], [C, np.zeros((1, 1))]])
+    # det(sI - [A B; C 0]) = s det(sI - A) - C adj(sI - A) B
+    border = exact_characteristic_polynomial(bordered)
+    shifted = [Fraction(0), *p]
+    return np.array([float(a - b) for a, b in zip(shifted, border, strict=True)])[: len(p)]

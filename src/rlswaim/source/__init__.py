@@ -1,0 +1,1 @@
+"""What is given: the report's data and printed numbers, and the checks of what callers pass in."""

@@ -1,0 +1,70 @@
+"""The one place where files are read: the tables of ``source/data`` and the scripts of the live views."""
+
+import csv
+from functools import cache
+from importlib.resources import files
+
+Row = dict[str, str]
+
+
+@cache
+def read_table(name: str) -> tuple[Row, ...]:
+    """Return the rows of ``data/<name>.csv``, every cell as text.
+
+    Parameters
+    ----------
+    name : str
+        File name without its ending, for instance ``"masses"`` (Table 1).
+
+    Returns
+    -------
+    tuple of dict
+        One mapping of column name to text for each row.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such table.
+    """
+    path = files("rlswaim.source").joinpath("data", f"{name}.csv")
+    return tuple(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
+
+
+@cache
+def printed_rows(section: str) -> tuple[Row, ...]:
+    """Return the rows of ``data/printed.csv``, the ledger's table, of one ``section`` (``"II"`` ...)."""
+    return tuple(row for row in read_table("printed") if row["section"] == section)
+
+
+def printed(section: str, start: str = "") -> dict[str, float]:
+    """Return the printed numbers of one ``section`` whose ids begin with ``start``, by the rest of the id."""
+    rows = (row for row in printed_rows(section) if row["id"].startswith(start))
+    return {row["id"].removeprefix(start): float(row["printed"].replace(",", "")) for row in rows}
+
+
+def half_unit(number: str) -> float:
+    """Return half a unit in the last printed digit of a ``number`` given as text.
+
+    Examples
+    --------
+    >>> half_unit("1.310"), half_unit(".0387"), half_unit("15.297e8")
+    (0.0005, 5e-05, 50000.0)
+    """
+    mantissa, _, exponent = number.lower().replace(",", "").partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    return 0.5 * 10.0 ** (int(exponent or 0) - decimals)
+
+
+def constants(name: str) -> dict[str, float]:
+    """Return column ``value`` of ``data/<name>.csv`` by column ``symbol``, in each row's unit."""
+    return {row["symbol"]: float(row["value"]) for row in read_table(name)}
+
+
+def column(name: str, key: str) -> list[float]:
+    """Return column ``key`` of ``data/<name>.csv`` as numbers."""
+    return [float(row[key]) for row in read_table(name)]
+
+
+def script(*path: str) -> str:
+    """Return a file of a live view as text: ``explorers/<path>``."""
+    return files("rlswaim").joinpath("explorers", *path).read_text(encoding="utf-8")
