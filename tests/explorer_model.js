@@ -17,7 +17,8 @@ async ([code, css, state]) => {
   document.head.append(Object.assign(document.createElement('style'), { textContent: css }));
   const el = document.createElement('div');
   document.body.append(el);
-  const drawn = () => new Promise((done) => el.addEventListener('rlswaim:drawn', (e) => done(e.detail), { once: true }));
+  const drawn = () =>
+    new Promise((done) => el.addEventListener('rlswaim:drawn', (e) => done(e.detail), { once: true }));
   Object.assign(globalThis, { module, model, drawn, el, state });
   const first = drawn();
   module.default.initialize({ model });

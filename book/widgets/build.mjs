@@ -7,7 +7,9 @@ process.chdir(import.meta.dirname);
 const read = (path) => readFileSync(path, 'utf8');
 
 // One hash over all that is written by hand and the versions of all that is not; a test compares it.
-const sources = readdirSync('.').filter((name) => /\.(mjs|css|txt)$|^package-lock\.json$/.test(name)).sort();
+const sources = readdirSync('.')
+  .filter((name) => /\.(mjs|css|txt)$|^package-lock\.json$/.test(name))
+  .sort();
 const hash = createHash('sha256');
 for (const name of sources) hash.update(readFileSync(name));
 
@@ -38,7 +40,14 @@ const packages = {
   },
 };
 
-const common = { bundle: true, minify: true, write: false, metafile: true, legalComments: 'none', target: 'es2022' };
+const common = {
+  bundle: true,
+  minify: true,
+  write: false,
+  metafile: true,
+  legalComments: 'none',
+  target: 'es2022',
+};
 const css = await build({ ...common, entryPoints: ['theme.css'] });
 const js = await build({
   ...common,

@@ -36,10 +36,11 @@ const STATE = 'script[type="application/vnd.jupyter.widget-state+json"]';
 const VIEW = 'script[type="application/vnd.jupyter.widget-view+json"]';
 
 // A live view tells when it has drawn. One that draws nothing, or not now (in a tab in the background), is not waited for.
-const drawn = (place) => new Promise((resolve) => {
-  place.addEventListener('rlswaim:drawn', () => setTimeout(resolve), { once: true });
-  setTimeout(resolve, 1000);
-});
+const drawn = (place) =>
+  new Promise((resolve) => {
+    place.addEventListener('rlswaim:drawn', () => setTimeout(resolve), { once: true });
+    setTimeout(resolve, 1000);
+  });
 
 // The page's formulas are long work: they wait until the views are there, which is short work.
 let viewsAreThere;

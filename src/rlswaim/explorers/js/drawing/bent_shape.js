@@ -33,7 +33,15 @@ function scenery(g, theme, width, height, X, Y, last, marks) {
   g.stroke();
   g.setLineDash([]);
   const every = width < 480 ? 100 : 50;
-  for (const l of multiples(every, 0, last)) write(g, `${l}${l === 0 ? ' ft (nose)' : ''}`, X(l), height - 8, theme.muted, l === 0 ? 'left' : 'center');
+  for (const l of multiples(every, 0, last))
+    write(
+      g,
+      `${l}${l === 0 ? ' ft (nose)' : ''}`,
+      X(l),
+      height - 8,
+      theme.muted,
+      l === 0 ? 'left' : 'center',
+    );
   for (const { station, label } of marks) {
     g.beginPath();
     g.moveTo(X(station), Y(0) - 24);

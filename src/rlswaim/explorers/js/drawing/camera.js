@@ -11,7 +11,12 @@ export function ladder(value, rungs = LADDER) {
 }
 
 export function frameOf(width, height) {
-  return { x: MARGIN.left, y: MARGIN.top, w: Math.max(width - MARGIN.left - MARGIN.right, 1), h: Math.max(height - MARGIN.top - MARGIN.bottom, 1) };
+  return {
+    x: MARGIN.left,
+    y: MARGIN.top,
+    w: Math.max(width - MARGIN.left - MARGIN.right, 1),
+    h: Math.max(height - MARGIN.top - MARGIN.bottom, 1),
+  };
 }
 
 // The window whose lower left corner is at (left, bottom), in a frame of the picture.
@@ -38,7 +43,11 @@ export function windowAt(left, bottom, scale, frame, width, height) {
 export function fitted(points, width, height) {
   const frame = frameOf(width, height);
   const reach = (values) => 1.08 * values.reduce((most, v) => Math.max(most, v), 0);
-  const want = [reach(points.map((p) => -p[0])), reach(points.map((p) => p[0])), reach(points.map((p) => Math.abs(p[1])))];
+  const want = [
+    reach(points.map((p) => -p[0])),
+    reach(points.map((p) => p[0])),
+    reach(points.map((p) => Math.abs(p[1]))),
+  ];
   const least = 0.4 * Math.max(...want, 1e-6);
   const [l, r, t] = want.map((v) => ladder(Math.max(v, least)));
   const scale = Math.min(frame.w / (l + r), frame.h / ((1 + BELOW) * t));
@@ -69,7 +78,12 @@ export function zoomed(view, factor, px, py) {
 }
 
 export function panned(view, dx, dy) {
-  return kept(view.left - dx / view.scale, view.bottom + dy / view.scale, view.right - view.left, view.top - view.bottom);
+  return kept(
+    view.left - dx / view.scale,
+    view.bottom + dy / view.scale,
+    view.right - view.left,
+    view.top - view.bottom,
+  );
 }
 
 // A small window in the upper left corner that shows the neighborhood of the origin `magnify` times enlarged.

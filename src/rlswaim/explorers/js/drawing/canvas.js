@@ -32,7 +32,10 @@ export function write(g, words, x, y, color, align = 'center', halo = undefined)
 
 export function multiples(step, from, to) {
   const first = Math.ceil(from / step - 1e-9);
-  return Array.from({ length: Math.max(0, Math.floor(to / step + 1e-9) - first + 1) }, (_, k) => (first + k) * step);
+  return Array.from(
+    { length: Math.max(0, Math.floor(to / step + 1e-9) - first + 1) },
+    (_, k) => (first + k) * step,
+  );
 }
 
 export function polygon(g, points) {

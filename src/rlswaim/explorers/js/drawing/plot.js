@@ -107,7 +107,14 @@ export class Plot {
     g.lineTo(x1 - 0.8 * head * ux, y1 - 0.8 * head * uy);
     g.stroke();
     g.beginPath();
-    polygon(g, [x1, y1, x1 - head * ux - 0.45 * head * uy, y1 - head * uy + 0.45 * head * ux, x1 - head * ux + 0.45 * head * uy, y1 - head * uy - 0.45 * head * ux]);
+    polygon(g, [
+      x1,
+      y1,
+      x1 - head * ux - 0.45 * head * uy,
+      y1 - head * uy + 0.45 * head * ux,
+      x1 - head * ux + 0.45 * head * uy,
+      y1 - head * uy - 0.45 * head * ux,
+    ]);
     g.fill();
   }
 
@@ -116,7 +123,10 @@ export class Plot {
     const { g, theme } = this;
     const [px, py] = [this.X(x), this.Y(y)];
     if (sign === 'x') {
-      for (const [stroke, width] of [[theme.plane, 4], [color, 2]]) {
+      for (const [stroke, width] of [
+        [theme.plane, 4],
+        [color, 2],
+      ]) {
         g.strokeStyle = stroke;
         g.lineWidth = width;
         g.beginPath();
@@ -134,7 +144,11 @@ export class Plot {
       '^': [0, -1.3, 1.25, 1, -1.25, 1],
     };
     g.beginPath();
-    if (shapes[sign]) polygon(g, shapes[sign].map((v, k) => (k % 2 ? py : px) + size * v));
+    if (shapes[sign])
+      polygon(
+        g,
+        shapes[sign].map((v, k) => (k % 2 ? py : px) + size * v),
+      );
     else g.arc(px, py, sign === '.' ? 0.5 * size : size, 0, 2 * Math.PI);
     g.lineWidth = 3;
     g.strokeStyle = theme.plane;

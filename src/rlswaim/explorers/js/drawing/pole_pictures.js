@@ -35,14 +35,16 @@ export function drawMap(g, view, theme, present, names, sides, unit) {
   for (const side of sides) picture.branches(side, names, 2);
   for (const side of sides) {
     for (const p of side) {
-      if (p.t % 100 === 0) names.forEach((name, i) => p.y[i] >= 0 && picture.dot(p.x[i], p.y[i], theme.branch(name).color));
+      if (p.t % 100 === 0)
+        names.forEach((name, i) => p.y[i] >= 0 && picture.dot(p.x[i], p.y[i], theme.branch(name).color));
     }
   }
   for (const side of sides) {
     const end = side.at(-1);
     names.forEach((name, i) => {
       const moved = Math.hypot(end.x[i] - present.x[i], end.y[i] - present.y[i]) * view.scale;
-      if (end.y[i] >= 0 && moved > 14) picture.text(`${end.t} ${unit}`, view.X(end.x[i]) + 6, view.Y(end.y[i]) - 8, theme.muted, 'left');
+      if (end.y[i] >= 0 && moved > 14)
+        picture.text(`${end.t} ${unit}`, view.X(end.x[i]) + 6, view.Y(end.y[i]) - 8, theme.muted, 'left');
     });
   }
   picture.poles(present, names);

@@ -5,7 +5,14 @@ import { stepOf, tick } from './s_plane.js';
 const ROW = 118;
 const CHART = { left: 50, right: 8, top: 18, bottom: 20 };
 const LETTER = { alpha: 'α', theta: 'θ', q1: 'q₁', q2: 'q₂', delta: 'δ', delta_r: 'δᵣ' };
-const COLOR_OF = { alpha: 'attitude', theta: 'attitude', q1: 'mode 1', q2: 'mode 2', delta: 'actuator', delta_r: 'jet' };
+const COLOR_OF = {
+  alpha: 'attitude',
+  theta: 'attitude',
+  q1: 'mode 1',
+  q2: 'mode 2',
+  delta: 'actuator',
+  delta_r: 'jet',
+};
 
 // Angles are told in degrees.
 const scaleOf = (unit) => (unit === 'rad' ? [180 / Math.PI, '°'] : [1, unit]);

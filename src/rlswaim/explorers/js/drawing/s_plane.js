@@ -18,7 +18,8 @@ const MARKS = [
   (g, r) => polygon(g, [0, 1.3 * r, 1.25 * r, -r, -1.25 * r, -r]),
   (g, r) => polygon(g, [-1.3 * r, 0, r, -1.25 * r, r, 1.25 * r]),
   (g, r) => polygon(g, [1.3 * r, 0, -r, -1.25 * r, -r, 1.25 * r]),
-  (g, r) => polygon(g, [0, -1.4 * r, 1.35 * r, -0.4 * r, 0.85 * r, 1.2 * r, -0.85 * r, 1.2 * r, -1.35 * r, -0.4 * r]),
+  (g, r) =>
+    polygon(g, [0, -1.4 * r, 1.35 * r, -0.4 * r, 0.85 * r, 1.2 * r, -0.85 * r, 1.2 * r, -1.35 * r, -0.4 * r]),
 ];
 export const SIGNS = ['■', '●', '▲', '◆', '▼', '◀', '▶', '⬟'];
 
@@ -28,7 +29,12 @@ export const stepOf = (range, pixels, apart) => ladder(range / Math.max(2, pixel
 export function tick(value, step) {
   const decimals = Math.max(0, -Math.floor(Math.log10(step)));
   const large = Math.abs(value) >= 1e5;
-  const text = decimals < 3 && !large ? value.toFixed(decimals) : value === 0 ? '0' : Number(value.toPrecision(6)).toExponential();
+  const text =
+    decimals < 3 && !large
+      ? value.toFixed(decimals)
+      : value === 0
+        ? '0'
+        : Number(value.toPrecision(6)).toExponential();
   return text.replaceAll('-', '−').replace('e+', 'e');
 }
 
@@ -80,8 +86,10 @@ export class Picture {
     this.#clip();
     this.#grid(step);
     this.#axes();
-    for (const at of multiples(step, view.left, view.right)) if (at) write(g, tick(at, step), view.X(at), y + h - 8, theme.muted, 'center', theme.plane);
-    for (const at of multiples(step, step, view.top)) write(g, tick(at, step), view.X(0) + 4, view.Y(at), theme.muted, 'left', theme.plane);
+    for (const at of multiples(step, view.left, view.right))
+      if (at) write(g, tick(at, step), view.X(at), y + h - 8, theme.muted, 'center', theme.plane);
+    for (const at of multiples(step, step, view.top))
+      write(g, tick(at, step), view.X(0) + 4, view.Y(at), theme.muted, 'left', theme.plane);
     this.text(`×${magnify.toLocaleString('en')} about the origin`, x + 6, y + 10, theme.ink, 'left');
   }
 
@@ -136,7 +144,8 @@ export class Picture {
       const up = Math.sqrt(1 - zeta * zeta);
       const radius = Math.min((top - 9 / scale) / up, (16 / scale + left) / -zeta);
       const x = X(-zeta * radius);
-      if (Math.abs(x - last) > 32 || radius * up < 0.9 * top) this.text(`ζ ${zeta}`, x, Y(up * radius), this.theme.muted);
+      if (Math.abs(x - last) > 32 || radius * up < 0.9 * top)
+        this.text(`ζ ${zeta}`, x, Y(up * radius), this.theme.muted);
       last = x;
     }
   }
@@ -213,7 +222,14 @@ export class Picture {
         const [mx, my] = [x - dx / 2, y - dy / 2];
         if (!holds(mx, my)) continue;
         const [ux, uy] = [(6 * dx) / length, (6 * dy) / length];
-        polygon(g, [mx + ux, my + uy, mx - 0.7 * ux + 0.8 * uy, my - 0.7 * uy - 0.8 * ux, mx - 0.7 * ux - 0.8 * uy, my - 0.7 * uy + 0.8 * ux]);
+        polygon(g, [
+          mx + ux,
+          my + uy,
+          mx - 0.7 * ux + 0.8 * uy,
+          my - 0.7 * uy - 0.8 * ux,
+          mx - 0.7 * ux - 0.8 * uy,
+          my - 0.7 * uy + 0.8 * ux,
+        ]);
       }
       g.fillStyle = theme.branch(name).color;
       g.fill();

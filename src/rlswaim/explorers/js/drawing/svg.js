@@ -2,10 +2,18 @@
 import { FONT } from './canvas.js';
 
 const round = (v) => Number(v.toFixed(2));
-const escaped = (text) => String(text).replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
+const escaped = (text) =>
+  String(text).replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 const ANCHORS = { left: 'start', center: 'middle', right: 'end' };
 const PLAIN = {
-  fillStyle: '#000', strokeStyle: '#000', lineWidth: 1, font: FONT, lineJoin: 'miter', textAlign: 'left', textBaseline: 'middle', globalAlpha: 1,
+  fillStyle: '#000',
+  strokeStyle: '#000',
+  lineWidth: 1,
+  font: FONT,
+  lineJoin: 'miter',
+  textAlign: 'left',
+  textBaseline: 'middle',
+  globalAlpha: 1,
 };
 
 export class SvgContext {
@@ -22,7 +30,12 @@ export class SvgContext {
 
   save() {
     const { matrix, dash, clipping } = this;
-    this.kept.push({ matrix, dash, clipping, ...Object.fromEntries(Object.keys(PLAIN).map((name) => [name, this[name]])) });
+    this.kept.push({
+      matrix,
+      dash,
+      clipping,
+      ...Object.fromEntries(Object.keys(PLAIN).map((name) => [name, this[name]])),
+    });
   }
 
   restore() {
@@ -69,7 +82,9 @@ export class SvgContext {
   }
 
   rect(x, y, w, h) {
-    this.path.push(`M${this.#at(x, y)}L${this.#at(x + w, y)}L${this.#at(x + w, y + h)}L${this.#at(x, y + h)}Z`);
+    this.path.push(
+      `M${this.#at(x, y)}L${this.#at(x + w, y)}L${this.#at(x + w, y + h)}L${this.#at(x, y + h)}Z`,
+    );
   }
 
   // Lengths stay as they are: nothing here scales.
@@ -85,14 +100,27 @@ export class SvgContext {
   }
 
   #put(tag, attributes, inside) {
-    const all = { ...attributes, 'clip-path': this.clipping, opacity: this.globalAlpha === 1 ? '' : this.globalAlpha };
-    const text = Object.entries(all).map(([name, value]) => (value === '' ? '' : ` ${name}="${escaped(value)}"`)).join('');
+    const all = {
+      ...attributes,
+      'clip-path': this.clipping,
+      opacity: this.globalAlpha === 1 ? '' : this.globalAlpha,
+    };
+    const text = Object.entries(all)
+      .map(([name, value]) => (value === '' ? '' : ` ${name}="${escaped(value)}"`))
+      .join('');
     this.parts.push(inside === undefined ? `<${tag}${text}/>` : `<${tag}${text}>${escaped(inside)}</${tag}>`);
   }
 
   stroke() {
     const { strokeStyle: stroke, lineWidth, dash, lineJoin } = this;
-    this.#put('path', { d: this.path.join(''), fill: 'none', stroke, 'stroke-width': lineWidth, 'stroke-dasharray': dash, 'stroke-linejoin': lineJoin });
+    this.#put('path', {
+      d: this.path.join(''),
+      fill: 'none',
+      stroke,
+      'stroke-width': lineWidth,
+      'stroke-dasharray': dash,
+      'stroke-linejoin': lineJoin,
+    });
   }
 
   fill() {
@@ -114,10 +142,26 @@ export class SvgContext {
   }
 
   #text(words, x, y, paint) {
-    const transform = this.matrix.map(round).join() === '1,0,0,1,0,0' ? '' : `matrix(${this.matrix.map((v) => Number(v.toFixed(4))).join(' ')})`;
+    const transform =
+      this.matrix.map(round).join() === '1,0,0,1,0,0'
+        ? ''
+        : `matrix(${this.matrix.map((v) => Number(v.toFixed(4))).join(' ')})`;
     const size = this.font.match(/(\d+(?:\.\d+)?)px/)[1];
     const weight = this.font.startsWith('600') ? '600' : '';
-    this.#put('text', { x: round(x), y: round(y), 'text-anchor': ANCHORS[this.textAlign], 'dominant-baseline': 'central', 'font-size': size, 'font-weight': weight, transform, ...paint }, words);
+    this.#put(
+      'text',
+      {
+        x: round(x),
+        y: round(y),
+        'text-anchor': ANCHORS[this.textAlign],
+        'dominant-baseline': 'central',
+        'font-size': size,
+        'font-weight': weight,
+        transform,
+        ...paint,
+      },
+      words,
+    );
   }
 
   fillText(words, x, y) {
@@ -125,7 +169,12 @@ export class SvgContext {
   }
 
   strokeText(words, x, y) {
-    this.#text(words, x, y, { fill: 'none', stroke: this.strokeStyle, 'stroke-width': this.lineWidth, 'stroke-linejoin': 'round' });
+    this.#text(words, x, y, {
+      fill: 'none',
+      stroke: this.strokeStyle,
+      'stroke-width': this.lineWidth,
+      'stroke-linejoin': 'round',
+    });
   }
 
   // The document, on a ground of one color; `title` says what it shows, also to a screen reader.

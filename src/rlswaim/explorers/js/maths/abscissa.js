@@ -12,7 +12,11 @@ export function planOf({ terms, shapes, pairs }, gains) {
   const parts = AT_SENSOR.map(() => AT_JET.map(() => new Float64Array(10)));
   for (const { factors, coefficients } of terms) {
     const weight = factors.reduce((w, name) => w * (gains[name] ?? 1), 1);
-    const index = (names) => Math.max(0, names.findIndex((name) => name && factors.includes(name)));
+    const index = (names) =>
+      Math.max(
+        0,
+        names.findIndex((name) => name && factors.includes(name)),
+      );
     const sum = parts[index(AT_SENSOR)][index(AT_JET)];
     coefficients.forEach((c, k) => (sum[k] += weight * c));
   }
@@ -100,7 +104,12 @@ export function* rows(plan, steps = STEPS) {
       yield { step, jet, values };
     }
     const count = (test) => all.reduce((sum, value) => sum + Number(test(value)), 0);
-    yield { step, line: zeroLine(all, side, step), stable: count((v) => v < 0), neutral: count((v) => v === 0) };
+    yield {
+      step,
+      line: zeroLine(all, side, step),
+      stable: count((v) => v < 0),
+      neutral: count((v) => v === 0),
+    };
   }
 }
 

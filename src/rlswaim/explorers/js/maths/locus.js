@@ -1,10 +1,23 @@
 // Root loci from the table of terms that Python sends: nothing here knows any physics.
-import { EPS, anchor, derivative, evaluate, flatten, multiply, pairing, refine, roots, settle, subtract } from './roots.js';
+import {
+  EPS,
+  anchor,
+  derivative,
+  evaluate,
+  flatten,
+  multiply,
+  pairing,
+  refine,
+  roots,
+  settle,
+  subtract,
+} from './roots.js';
 
 // The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
 export function factorsOf(system, state) {
   const factors = { ...state };
-  for (const [factor, shape] of Object.entries(system.shapes)) factors[factor] = along(shape.values, state[shape.at]);
+  for (const [factor, shape] of Object.entries(system.shapes))
+    factors[factor] = along(shape.values, state[shape.at]);
   for (const factor of leftOut(system, state)) factors[factor] = 0;
   return factors;
 }
@@ -52,7 +65,10 @@ export const polynomialOf = (system, state) => polynomial(system.terms, factorsO
 // What a locus draws if nobody says: the loop that is closed last.
 export const lastLoop = (system) => ({ running: system.closing.at(-1), off: [], of: 'poles' });
 
-const withoutGains = (state, gains = []) => ({ ...state, ...Object.fromEntries(gains.map((gain) => [gain, 0])) });
+const withoutGains = (state, gains = []) => ({
+  ...state,
+  ...Object.fromEntries(gains.map((gain) => [gain, 0])),
+});
 
 // The loop as D + k N, in the gain k that runs: its roots are the closed-loop poles, or the zeros that the poles run to
 // in a later loop, whose gain multiplies them.
@@ -104,13 +120,21 @@ function loopOf(system, state, what) {
   const still = withoutGains(state, [...off, running, gain ?? running]);
   return once(system, `loop ${running} ${of} ${placesOf(system, still)}`, () => {
     const loop = openLoop(system, state, what);
-    return { ...loop, breaks: breakAways(loop), crossings: lazy(() => crossings(loop)), zeros: lazy(() => roots(loop.N)) };
+    return {
+      ...loop,
+      breaks: breakAways(loop),
+      crossings: lazy(() => crossings(loop)),
+      zeros: lazy(() => roots(loop.N)),
+    };
   });
 }
 
 // The open-loop poles, each with the branch that leaves from it: the vehicle's from Python, the actuators' are factors.
 export function namedPoles(system, state) {
-  const poles = [...system.poles, ...system.actuators.map((a) => ({ re: -state[a.factor], im: 0, branch: a.branch }))];
+  const poles = [
+    ...system.poles,
+    ...system.actuators.map((a) => ({ re: -state[a.factor], im: 0, branch: a.branch })),
+  ];
   return { x: poles.map((p) => p.re), y: poles.map((p) => p.im), branches: poles.map((p) => p.branch) };
 }
 
@@ -128,7 +152,8 @@ export function breakAways({ D, N }) {
   return meeting.x.flatMap((x, i) => {
     const y = meeting.y[i];
     const [dx, dy] = evaluate(D, x, y);
-    if (Math.hypot(dx, dy) <= 100 * D.length * EPS * termsAt(D, Math.hypot(x, y))) return y >= 0 ? [{ gain: 0, x, y }] : [];
+    if (Math.hypot(dx, dy) <= 100 * D.length * EPS * termsAt(D, Math.hypot(x, y)))
+      return y >= 0 ? [{ gain: 0, x, y }] : [];
     const [nx, ny] = evaluate(P, x, y);
     const size = nx * nx + ny * ny;
     const gain = -(dx * nx + dy * ny) / size;
@@ -138,9 +163,14 @@ export function breakAways({ D, N }) {
 }
 
 // Even (first = 0) or odd part on the imaginary axis, in w^2: c(jw) = even + j w odd.
-const parts = (c, first) => Float64Array.from({ length: (c.length - first + 1) >> 1 }, (_, k) => c[2 * k + first] * (-1) ** k);
+const parts = (c, first) =>
+  Float64Array.from({ length: (c.length - first + 1) >> 1 }, (_, k) => c[2 * k + first] * (-1) ** k);
 
-const sum = (a, b) => subtract(a, b.map((v) => -v));
+const sum = (a, b) =>
+  subtract(
+    a,
+    b.map((v) => -v),
+  );
 
 // Gains at which a branch crosses the imaginary axis: D/N is real at s = jw. With even and odd parts in u = w^2 that is
 // D_odd N_even = D_even N_odd, or w = 0.
@@ -156,7 +186,14 @@ export function crossings({ D, N }) {
     const [nx, ny] = evaluate(N, 0, omega);
     const gain = -(dx * nx + dy * ny) / (nx * nx + ny * ny);
     if (!Number.isFinite(gain) || gain === 0) return [];
-    const [sx, sy] = evaluate(subtract(derivative(D), derivative(N).map((v) => -gain * v)), 0, omega);
+    const [sx, sy] = evaluate(
+      subtract(
+        derivative(D),
+        derivative(N).map((v) => -gain * v),
+      ),
+      0,
+      omega,
+    );
     return [{ gain, omega, direction: -Math.sign(nx * sx + ny * sy) }];
   });
 }
@@ -174,7 +211,10 @@ function permuted({ t, x, y }, partner) {
 const real = ({ x, y }, i) => Math.abs(y[i]) <= 1e-6 * Math.abs(x[i]);
 
 const flat = (x, y, i) => Math.abs(y[i]) <= 1e-10 * Math.abs(x[i]);
-const twin = (x, y, i, j) => y[i] * y[j] < 0 && Math.abs(y[i] + y[j]) < 1e-6 * Math.abs(y[i]) && Math.hypot(x[i] - x[j], y[i] + y[j]) < 1e-6 * Math.abs(y[i]);
+const twin = (x, y, i, j) =>
+  y[i] * y[j] < 0 &&
+  Math.abs(y[i] + y[j]) < 1e-6 * Math.abs(y[i]) &&
+  Math.hypot(x[i] - x[j], y[i] + y[j]) < 1e-6 * Math.abs(y[i]);
 
 // A root that moves by less than a third of the distance to the next one is not taken for it.
 const NEAR = 0.1;
@@ -204,7 +244,21 @@ function pointOf(t, x, y) {
   }
   // kx, ky: as x, y, but of roots that coincide where each came from; turns: how often the order has changed; follows: which
   // point it was put in order after (by number: points that held each other would all stay), and how that stood then.
-  return { t, x, y, gap, apart, kx: x, ky: y, clear: false, far: false, turns: 0, number: made++, follows: -1, seen: 0 };
+  return {
+    t,
+    x,
+    y,
+    gap,
+    apart,
+    kx: x,
+    ky: y,
+    clear: false,
+    far: false,
+    turns: 0,
+    number: made++,
+    follows: -1,
+    seen: 0,
+  };
 }
 
 // Follows all roots along a curve { fill(t, c), middle(a, b), breaks } from one value of t to another, halving each step
@@ -311,7 +365,8 @@ function tracer(curve, n, view) {
   function keep(point, before) {
     const { x, y, gap } = point;
     [point.kx, point.ky] = [x.slice(), y.slice()];
-    for (let i = 0; i < n; i++) if (gap[i] === Infinity) [point.kx[i], point.ky[i]] = [before.kx[i], before.ky[i]];
+    for (let i = 0; i < n; i++)
+      if (gap[i] === Infinity) [point.kx[i], point.ky[i]] = [before.kx[i], before.ky[i]];
   }
 
   function rough(a, m, b, depth) {
@@ -344,7 +399,11 @@ function tracer(curve, n, view) {
       const dy = b.y[i] - a.y[i];
       const move = Math.sqrt(dx * dx + dy * dy);
       if (move * scale <= tolerance) continue;
-      const off = Math.max(left - Math.max(a.x[i], b.x[i]), Math.min(a.x[i], b.x[i]) - right, Math.min(Math.abs(a.y[i]), Math.abs(b.y[i])) - top);
+      const off = Math.max(
+        left - Math.max(a.x[i], b.x[i]),
+        Math.min(a.x[i], b.x[i]) - right,
+        Math.min(Math.abs(a.y[i]), Math.abs(b.y[i])) - top,
+      );
       if (move > off) return false;
     }
     return true;
@@ -411,7 +470,10 @@ function pointBeside(curve, t, guess) {
 
 // The roots at one value of t inside a traced curve, in the order of its branches.
 function pointAt(curve, points, t) {
-  const next = Math.max(1, points.findIndex((p, i) => i > 0 && (p.t - t) * (points[i - 1].t - t) <= 0));
+  const next = Math.max(
+    1,
+    points.findIndex((p, i) => i > 0 && (p.t - t) * (points[i - 1].t - t) <= 0),
+  );
   const [a, b] = [points[next - 1], points[next]];
   const part = a.t === b.t ? 0 : (t - a.t) / (b.t - a.t);
   const between = (k) => a[k].map((v, i) => v + part * (b[k][i] - v));
@@ -438,13 +500,17 @@ function pathOf(system, state, running, sign, start) {
   return once(system, `path ${running} ${sign} ${placesOf(system, { ...state, [running]: 0 })}`, () => {
     const loop = loopOf(system, state, { running });
     const breaks = loop.breaks.filter((b) => b.gain * sign > 0);
-    const nodes = gainNodes(system.running[running].magnitudes, breaks.map((b) => b.gain * sign));
+    const nodes = gainNodes(
+      system.running[running].magnitudes,
+      breaks.map((b) => b.gain * sign),
+    );
     const curve = gainCurve(loop, sign, breaks);
     const to = tracer(curve, start.x.length, BLIND);
     const points = [pointOf(0, [...start.x], [...start.y])];
     return (gain) => {
       const before = nodes.filter((size) => size < Math.abs(gain));
-      while (points.length < before.length) points.push(to(points.at(-1), sign * nodes[points.length]).at(-1));
+      while (points.length < before.length)
+        points.push(to(points.at(-1), sign * nodes[points.length]).at(-1));
       return pointBeside(curve, gain, to(points[before.length - 1], gain).at(-1));
     };
   });
@@ -469,7 +535,9 @@ export function closedLoop(system, state) {
 
 // The parameter that runs as a curve of roots, its nodes on both sides of the present value, and what marks it.
 function runningCurve(system, state, what) {
-  return system.running[what.running].magnitudes ? runningGain(system, state, what) : runningStation(system, state, what.running);
+  return system.running[what.running].magnitudes
+    ? runningGain(system, state, what)
+    : runningStation(system, state, what.running);
 }
 
 function runningGain(system, state, what) {
@@ -480,7 +548,10 @@ function runningGain(system, state, what) {
   const loop = loopOf(system, state, what);
   const within = ({ gain: k }) => k * sign > 0 && k * sign < last;
   const breaks = loop.breaks.filter(within);
-  const inside = gainNodes(magnitudes, breaks.map((b) => b.gain * sign)).filter((size) => size < last);
+  const inside = gainNodes(
+    magnitudes,
+    breaks.map((b) => b.gain * sign),
+  ).filter((size) => size < last);
   const nodes = [...inside, last];
   const before = nodes.filter((size) => size < t * sign).map((size) => size * sign);
   return {
@@ -492,7 +563,11 @@ function runningGain(system, state, what) {
     forth: [t, ...nodes.filter((size) => size > t * sign).map((size) => size * sign)],
     zeros: loop.zeros(),
     breaks,
-    crossings: () => loop.crossings().filter(within).map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
+    crossings: () =>
+      loop
+        .crossings()
+        .filter(within)
+        .map((c) => ({ ...c, direction: sign * c.direction })), // as its size rises
   };
 }
 
@@ -566,7 +641,11 @@ function throughOrigin(next, from, to, c) {
 function crossingOf(curve, a, b, i) {
   let [low, high, m] = [a, b, b];
   let [left, right] = [a.x[i], b.x[i]];
-  for (let turn = 0; turn < 60 && Math.abs(m.x[i]) > 1e-12 * Math.hypot(m.x[i], m.y[i]) && high.t - low.t > 1e-12 * high.t; turn++) {
+  for (
+    let turn = 0;
+    turn < 60 && Math.abs(m.x[i]) > 1e-12 * Math.hypot(m.x[i], m.y[i]) && high.t - low.t > 1e-12 * high.t;
+    turn++
+  ) {
     m = pointAt(curve, [low, high], low.t + ((high.t - low.t) * left) / (left - right));
     if (m.x[i] * right > 0) [high, right, left] = [m, m.x[i], left / 2];
     else [low, left, right] = [m, m.x[i], right / 2];
@@ -667,7 +746,12 @@ export function margins(system, state, what = lastLoop(system)) {
     const [even, odd] = [parts(c, 0), parts(c, 1)];
     return sum(multiply(even, even), Float64Array.of(0, ...multiply(odd, odd)));
   };
-  const u = roots(subtract(square(D), square(N).map((v) => k * k * v)));
+  const u = roots(
+    subtract(
+      square(D),
+      square(N).map((v) => k * k * v),
+    ),
+  );
   const phase = Array.from(u.x.keys())
     .filter((i) => u.x[i] > 0 && Math.abs(u.y[i]) <= 1e-9 * u.x[i])
     .map((i) => {
@@ -675,7 +759,7 @@ export function margins(system, state, what = lastLoop(system)) {
       const [dx, dy] = evaluate(D, 0, omega);
       const [nx, ny] = evaluate(N, 0, omega);
       const degrees = (Math.atan2(-k * (ny * dx - nx * dy), -k * (nx * dx + ny * dy)) * 180) / Math.PI;
-      return { degrees, omega, delay: ((((degrees + 360) % 360) * Math.PI) / 180 / omega) };
+      return { degrees, omega, delay: (((degrees + 360) % 360) * Math.PI) / 180 / omega };
     });
   const byOmega = (a, b) => a.omega - b.omega;
   return { gain: gain.sort(byOmega), phase: phase.sort(byOmega) };

@@ -60,7 +60,11 @@ export function modeShape(system, state, pole) {
   });
   const total = weights.reduce((sum, [, weight]) => sum + weight, 0);
   if (total === 0) return null;
-  const largest = feet.reduce((best, l) => (Math.hypot(shape.re[l], shape.im[l]) > Math.hypot(shape.re[best], shape.im[best]) ? l : best), 0);
+  const largest = feet.reduce(
+    (best, l) =>
+      Math.hypot(shape.re[l], shape.im[l]) > Math.hypot(shape.re[best], shape.im[best]) ? l : best,
+    0,
+  );
   const unit = [shape.re[largest], shape.im[largest]];
   for (const l of feet) [shape.re[l], shape.im[l]] = over([shape.re[l], shape.im[l]], unit);
   return {

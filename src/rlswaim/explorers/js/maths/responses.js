@@ -75,14 +75,19 @@ const SHAPES = {
 // 'initial'), amplitude, duration (s, of a gust) }. Returns { output: Float64Array }.
 export function responses(system, state, { input, kind, amplitude, duration }, times) {
   const factors = factorsOf(system, state);
-  const numerators = Object.entries(system.numerators[input]).map(([output, terms]) => [output, polynomial(terms, factors)]);
+  const numerators = Object.entries(system.numerators[input]).map(([output, terms]) => [
+    output,
+    polynomial(terms, factors),
+  ]);
   const { x, y } = setApart(closedLoopPoles(system, state), 1 / times.at(-1));
   const found = Object.fromEntries(numerators.map(([output]) => [output, new Float64Array(times.length)]));
   for (let i = 0; i < x.length; i++) {
     if (y[i] < 0) continue;
     // amplitude / D'(p), twice for a pair: the real part is both its halves
     let [re, im] = [1, 0];
-    for (let j = 0; j < x.length; j++) if (j !== i) [re, im] = [re * (x[i] - x[j]) - im * (y[i] - y[j]), re * (y[i] - y[j]) + im * (x[i] - x[j])];
+    for (let j = 0; j < x.length; j++)
+      if (j !== i)
+        [re, im] = [re * (x[i] - x[j]) - im * (y[i] - y[j]), re * (y[i] - y[j]) + im * (x[i] - x[j])];
     const weight = (amplitude * (y[i] > 0 ? 2 : 1)) / (re * re + im * im);
     const values = Array.from(times, SHAPES[kind](x[i], y[i], duration));
     for (const [output, N] of numerators) {

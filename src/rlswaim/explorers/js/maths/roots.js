@@ -121,7 +121,8 @@ export function flatten(x, y) {
   for (let i = 0; i < x.length; i++) {
     if (y[i] === 0) continue;
     let least = Infinity;
-    for (let j = 0; j < x.length; j++) if (j !== i) least = Math.min(least, Math.hypot(x[i] - x[j], y[i] + y[j]));
+    for (let j = 0; j < x.length; j++)
+      if (j !== i) least = Math.min(least, Math.hypot(x[i] - x[j], y[i] + y[j]));
     if (2 * Math.abs(y[i]) < least) y[i] = 0;
   }
 }

@@ -3,7 +3,13 @@
 const PART = /^([\w-]+(?:\.\d+)?):(.*)$/;
 
 function partsOf(hash) {
-  return new Map(hash.replace(/^#/, '').split('&').map((part) => PART.exec(part)?.slice(1)).filter(Boolean));
+  return new Map(
+    hash
+      .replace(/^#/, '')
+      .split('&')
+      .map((part) => PART.exec(part)?.slice(1))
+      .filter(Boolean),
+  );
 }
 
 // A text that came from elsewhere may be broken: then it says nothing.
@@ -30,13 +36,20 @@ export function nameOf(el) {
 export function readAddress(name, hash = inLab() ? '' : location.hash) {
   const own = partsOf(hash).get(name);
   if (!own) return {};
-  return Object.fromEntries(own.split(',').map((pair) => pair.split('=').map(decoded)).filter((pair) => pair.length === 2));
+  return Object.fromEntries(
+    own
+      .split(',')
+      .map((pair) => pair.split('=').map(decoded))
+      .filter((pair) => pair.length === 2),
+  );
 }
 
 // The page's address with the explorer's part replaced, or left out if there is nothing to say.
 export function addressWith(name, values, hash = location.hash) {
   const all = partsOf(hash);
-  const own = Object.entries(values).map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join(',');
+  const own = Object.entries(values)
+    .map(([key, value]) => `${key}=${encodeURIComponent(value)}`)
+    .join(',');
   if (own) all.set(name, own);
   else all.delete(name);
   const joined = [...all].map(([key, value]) => `${key}:${value}`).join('&');

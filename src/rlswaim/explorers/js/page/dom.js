@@ -43,7 +43,8 @@ export function number(value, count = 4) {
 // A value of a slider, for a program or an address: with as many digits as it takes.
 export const plain = (value) => (typeof value === 'number' ? String(value) : value);
 
-export const complex = (re, im) => (im === 0 ? number(re) : `${number(re)} ${im < 0 ? '−' : '+'} ${number(Math.abs(im))}j`);
+export const complex = (re, im) =>
+  im === 0 ? number(re) : `${number(re)} ${im < 0 ? '−' : '+'} ${number(Math.abs(im))}j`;
 
 export function button(text, act, attributes = {}) {
   const made = element('button', { type: 'button', ...attributes }, text);
@@ -53,7 +54,15 @@ export function button(text, act, attributes = {}) {
 
 export function buttons(label, entries, act) {
   const made = entries.map(([text, title], i) => button(text, () => act(i), { title }));
-  return { group: element('div', { class: 'buttons', role: 'group', 'aria-label': label }, element('span', {}, label), ...made), made };
+  return {
+    group: element(
+      'div',
+      { class: 'buttons', role: 'group', 'aria-label': label },
+      element('span', {}, label),
+      ...made,
+    ),
+    made,
+  };
 }
 
 // entries: [[value, text], ...]
@@ -66,7 +75,12 @@ export function select(label, entries, act) {
 // A part of the workbench that costs nothing while it is closed.
 export function panel(name, title, toggled, ...children) {
   const extra = element('small');
-  const node = element('details', { class: 'panel', 'data-panel': name }, element('summary', {}, element('b', {}, title), extra), ...children);
+  const node = element(
+    'details',
+    { class: 'panel', 'data-panel': name },
+    element('summary', {}, element('b', {}, title), extra),
+    ...children,
+  );
   node.addEventListener('toggle', toggled);
   return { node, extra };
 }
@@ -74,7 +88,9 @@ export function panel(name, title, toggled, ...children) {
 // A color of the print figures, lightened on a dark page.
 export function mix(color, share) {
   if (!share) return color;
-  const parts = color.match(/[0-9a-f]{2}/gi).map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
+  const parts = color
+    .match(/[0-9a-f]{2}/gi)
+    .map((hex) => Math.round(parseInt(hex, 16) * (1 - share) + 255 * share));
   return `rgb(${parts.join()})`;
 }
 
@@ -86,14 +102,22 @@ export function themeOf(root, system) {
   const read = (name) => style.getPropertyValue(`--${name}`).trim();
   const lift = Number(read('lift'));
   const names = Object.keys(system.branches);
-  const branches = Object.fromEntries(names.map((name, i) => [name, { color: mix(system.branches[name], lift), mark: i }]));
-  return { ...Object.fromEntries(COLORS.map((name) => [name, read(name)])), branch: (name) => branches[name] };
+  const branches = Object.fromEntries(
+    names.map((name, i) => [name, { color: mix(system.branches[name], lift), mark: i }]),
+  );
+  return {
+    ...Object.fromEntries(COLORS.map((name) => [name, read(name)])),
+    branch: (name) => branches[name],
+  };
 }
 
 export function onThemeChange(act) {
   const watch = new MutationObserver(act);
   for (const node of [document.documentElement, document.body]) {
-    watch.observe(node, { attributes: true, attributeFilter: ['data-theme', 'data-mode', 'data-jp-theme-light', 'class'] });
+    watch.observe(node, {
+      attributes: true,
+      attributeFilter: ['data-theme', 'data-mode', 'data-jp-theme-light', 'class'],
+    });
   }
   const media = matchMedia('(prefers-color-scheme: dark)');
   media.addEventListener('change', act);
@@ -110,7 +134,9 @@ const REST = 150; // ms without a change, for a view that nobody sees
 export class Drawing {
   constructor(el, draw) {
     Object.assign(this, { draw, frame: 0, due: false, seen: false, drawn: false });
-    this.watch = new IntersectionObserver((entries) => this.#note(entries.at(-1).isIntersecting), { rootMargin: '200px' });
+    this.watch = new IntersectionObserver((entries) => this.#note(entries.at(-1).isIntersecting), {
+      rootMargin: '200px',
+    });
     this.watch.observe(el);
   }
 

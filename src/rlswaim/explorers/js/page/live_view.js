@@ -2,7 +2,10 @@
 import { Drawing, element, mix, onThemeChange, set } from './dom.js';
 import { keep } from './state_keeping.js';
 
-const formats = Array.from({ length: 8 }, (_, count) => new Intl.NumberFormat('en', { maximumSignificantDigits: Math.max(count, 1) }));
+const formats = Array.from(
+  { length: 8 },
+  (_, count) => new Intl.NumberFormat('en', { maximumSignificantDigits: Math.max(count, 1) }),
+);
 
 export function number(value, count = 4) {
   if (!Number.isFinite(value)) return '–';
@@ -24,7 +27,10 @@ function themeOf(root, colors) {
   const style = getComputedStyle(root);
   const read = (name) => style.getPropertyValue(`--${name}`).trim();
   const own = Object.entries(colors).map(([name, color]) => [name, mix(color, Number(read('lift')))]);
-  const page = ['plane', 'unstable', 'grid', 'axis', 'ink', 'muted', 'bad', 'good'].map((name) => [name, read(name)]);
+  const page = ['plane', 'unstable', 'grid', 'axis', 'ink', 'muted', 'bad', 'good'].map((name) => [
+    name,
+    read(name),
+  ]);
   return Object.fromEntries([...page, ...own]);
 }
 
@@ -35,7 +41,8 @@ export function plane(kind, caption, attributes = {}) {
 }
 
 export function legend(entries) {
-  const item = ([sign, meaning]) => element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
+  const item = ([sign, meaning]) =>
+    element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
   return element('ul', { class: 'legend' }, ...entries.map(item));
 }
 
@@ -46,7 +53,11 @@ export class Table {
     this.caption = element('caption', {}, caption);
     const head = element('tr', {}, ...heads.map((text) => element('th', { scope: 'col' }, text)));
     this.table = element('table', { class: name }, this.caption, element('thead', {}, head), this.body);
-    this.node = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': caption }, this.table);
+    this.node = element(
+      'div',
+      { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': caption },
+      this.table,
+    );
     this.width = heads.length;
   }
 
@@ -70,14 +81,23 @@ export function mount({ model, el }, view) {
   const payload = model.get('payload');
   el.classList.add('rlswaim-explorer');
   el.dataset.explorer = payload.system;
-  const entries = [...payload.presets, { name: 'Reset', label: 'back to the start', values: payload.initial }];
+  const entries = [
+    ...payload.presets,
+    { name: 'Reset', label: 'back to the start', values: payload.initial },
+  ];
   const buttons = entries.map(({ name, label, values }) => {
     const button = element('button', { type: 'button', title: label }, name);
     button.addEventListener('click', () => apply(model, values));
     return button;
   });
   const kept = keep(model, payload, el, (values) => apply(model, values));
-  const group = element('div', { class: 'buttons', role: 'group', 'aria-label': 'Presets' }, element('span', {}, 'Try'), ...buttons, ...kept.nodes);
+  const group = element(
+    'div',
+    { class: 'buttons', role: 'group', 'aria-label': 'Presets' },
+    element('span', {}, 'Try'),
+    ...buttons,
+    ...kept.nodes,
+  );
   const live = element('span', { class: 'unseen', role: 'status', 'aria-live': 'polite' });
   el.append(group, ...view.nodes, live);
 
@@ -93,7 +113,9 @@ export function mount({ model, el }, view) {
     const words = view.draw(state, theme, drawing.seen);
     set(live, words);
     const same = (values) => Object.entries(values).every(([name, value]) => state[name] === value);
-    entries.forEach(({ values }, i) => buttons[i].setAttribute('aria-pressed', i < entries.length - 1 && same(values)));
+    entries.forEach(({ values }, i) =>
+      buttons[i].setAttribute('aria-pressed', i < entries.length - 1 && same(values)),
+    );
     const detail = { ms: performance.now() - start, ...view.detail };
     el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail }));
   }

@@ -22,7 +22,12 @@ export function nearestOn(points, view, px, py, reach) {
       const off = (ax + part * dx - px) ** 2 + (ay + part * dy - py) ** 2;
       if (off >= least) continue;
       least = off;
-      found = { branch: i, t: a.t + part * (b.t - a.t), x: a.x[i] + part * (b.x[i] - a.x[i]), y: a.y[i] + part * (b.y[i] - a.y[i]) };
+      found = {
+        branch: i,
+        t: a.t + part * (b.t - a.t),
+        x: a.x[i] + part * (b.x[i] - a.x[i]),
+        y: a.y[i] + part * (b.y[i] - a.y[i]),
+      };
     }
   }
   return found;
@@ -73,7 +78,8 @@ export function handlePointers(canvas, acts) {
     const [qx, qy] = down.get(id);
     const before = Math.hypot(qx - other[0], qy - other[1]);
     const after = Math.hypot(px - other[0], py - other[1]);
-    if (before > 0 && after > 0) acts.move(zoomed(acts.main(), after / before, (px + other[0]) / 2, (py + other[1]) / 2));
+    if (before > 0 && after > 0)
+      acts.move(zoomed(acts.main(), after / before, (px + other[0]) / 2, (py + other[1]) / 2));
   }
 
   function move(event) {
@@ -105,7 +111,8 @@ export function handlePointers(canvas, acts) {
   function touched(event) {
     const box = canvas.getBoundingClientRect();
     const { clientX, clientY } = event.touches[0];
-    if (event.touches.length > 1 || acts.pole(clientX - box.left, clientY - box.top, REACH.touch) >= 0) event.preventDefault();
+    if (event.touches.length > 1 || acts.pole(clientX - box.left, clientY - box.top, REACH.touch) >= 0)
+      event.preventDefault();
   }
 
   // Who scrolls the page past the plane doesn't zoom it.

@@ -10,7 +10,13 @@ const stability = (re) => (re > 0 ? 'unstable' : re < 0 ? 'stable' : 'neutrally 
 class Figure {
   constructor() {
     this.parts = [new Text(), new Text(), new Text()];
-    this.cell = element('td', {}, this.parts[0], element('span', { class: 'fine' }, this.parts[1]), this.parts[2]);
+    this.cell = element(
+      'td',
+      {},
+      this.parts[0],
+      element('span', { class: 'fine' }, this.parts[1]),
+      this.parts[2],
+    );
   }
 
   show(value) {
@@ -30,7 +36,13 @@ export class PoleTable {
     const head = element('tr', {}, ...HEADS.map((text) => element('th', { scope: 'col' }, text)));
     this.body = element('tbody');
     this.rows = [];
-    this.node = element('table', { class: 'poles' }, element('caption', { class: 'unseen' }, 'Closed-loop poles'), element('thead', {}, head), this.body);
+    this.node = element(
+      'table',
+      { class: 'poles' },
+      element('caption', { class: 'unseen' }, 'Closed-loop poles'),
+      element('thead', {}, head),
+      this.body,
+    );
   }
 
   #newRow() {
@@ -38,7 +50,13 @@ export class PoleTable {
     const name = new Text();
     const figures = Array.from({ length: 4 }, () => new Figure());
     const word = element('td');
-    const node = element('tr', {}, element('th', { scope: 'row' }, sign, ' ', name), ...figures.map((f) => f.cell), word);
+    const node = element(
+      'tr',
+      {},
+      element('th', { scope: 'row' }, sign, ' ', name),
+      ...figures.map((f) => f.cell),
+      word,
+    );
     this.body.append(node);
     this.rows.push({ node, sign, name, figures, word });
   }

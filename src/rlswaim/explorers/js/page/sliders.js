@@ -1,7 +1,9 @@
 // Each parameter and the place of its slider keep each other: a slider that moves sets the value, a value set
 // otherwise moves the slider to the nearest place and stays as it is.
 function nearest(parameter, value) {
-  const off = parameter.grid.map((place) => (typeof place === 'string' ? Number(place !== value) : Math.abs(place - value)));
+  const off = parameter.grid.map((place) =>
+    typeof place === 'string' ? Number(place !== value) : Math.abs(place - value),
+  );
   return off.indexOf(Math.min(...off));
 }
 

@@ -15,7 +15,11 @@ function valueOf(grid, text) {
 export function keep(model, payload, el, apply) {
   const own = payload.parameters.filter(({ name }) => payload.own.includes(name));
   const read = () => JSON.stringify(Object.fromEntries(own.map(({ name }) => [name, model.get(name)])));
-  const history = new History(read, (snapshot) => apply(JSON.parse(snapshot)), () => steps.tell());
+  const history = new History(
+    read,
+    (snapshot) => apply(JSON.parse(snapshot)),
+    () => steps.tell(),
+  );
   const steps = undoButtons(history);
   let timer;
 

@@ -31,8 +31,11 @@ const quoted = (value) => (typeof value === 'string' ? JSON.stringify(value) : p
 
 // The call that gives the same closed loop.
 export function pythonOf({ python }, state) {
-  const none = (name) => Object.entries(python.none?.[name] ?? {}).some(([other, value]) => state[other] === value);
-  const given = Object.entries(python.arguments).map(([name, keyword]) => `${keyword}=${none(name) ? 'None' : quoted(state[name])}`);
+  const none = (name) =>
+    Object.entries(python.none?.[name] ?? {}).some(([other, value]) => state[other] === value);
+  const given = Object.entries(python.arguments).map(
+    ([name, keyword]) => `${keyword}=${none(name) ? 'None' : quoted(state[name])}`,
+  );
   return [
     'import rlswaim as rl',
     '',

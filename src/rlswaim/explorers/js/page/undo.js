@@ -4,7 +4,11 @@ import { button } from './dom.js';
 const QUIET = 400; // ms
 
 let held = false; // is a button or a finger down?
-for (const [event, now] of [['pointerdown', true], ['pointerup', false], ['pointercancel', false]]) {
+for (const [event, now] of [
+  ['pointerdown', true],
+  ['pointerup', false],
+  ['pointercancel', false],
+]) {
   addEventListener(event, () => (held = now), { capture: true, passive: true });
 }
 

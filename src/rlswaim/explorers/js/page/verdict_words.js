@@ -28,7 +28,11 @@ export function verdict(poles) {
     };
   }
   if (worst.re === 0) {
-    return { word: 'neutral', short: 'Neutrally stable: a root lies on the imaginary axis.', long: `: ${spoken(worst, poles)} neither grows nor decays.` };
+    return {
+      word: 'neutral',
+      short: 'Neutrally stable: a root lies on the imaginary axis.',
+      long: `: ${spoken(worst, poles)} neither grows nor decays.`,
+    };
   }
   return {
     word: 'stable',
@@ -39,15 +43,21 @@ export function verdict(poles) {
 
 // Where the branches cross the imaginary axis, after the name of what runs.
 export function crossingWords(crossings) {
-  const list = crossings.map((c) => `${number(c.gain)} (ω = ${number(c.omega)} rad/s, to the ${c.direction > 0 ? 'right' : 'left'})`);
-  return list.length ? `: imaginary axis crossed at ${list.join(', ')}.` : ': no branch crosses the imaginary axis.';
+  const list = crossings.map(
+    (c) => `${number(c.gain)} (ω = ${number(c.omega)} rad/s, to the ${c.direction > 0 ? 'right' : 'left'})`,
+  );
+  return list.length
+    ? `: imaginary axis crossed at ${list.join(', ')}.`
+    : ': no branch crosses the imaginary axis.';
 }
 
 const signed = (value, count) => `${value > 0 ? '+' : ''}${number(value, count)}`;
 
 export function marginWords(margins) {
   if (!margins) return '';
-  const gain = margins.gain.map((m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, ω = ${number(m.omega, 3)} rad/s)`);
+  const gain = margins.gain.map(
+    (m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, ω = ${number(m.omega, 3)} rad/s)`,
+  );
   const phase = margins.phase.map((m) => `${signed(m.degrees, 3)}° (ω = ${number(m.omega, 3)} rad/s)`);
   const list = (words) => (words.length ? words.join(', ') : 'none');
   return `Gain margins: ${list(gain)}. Phase margins: ${list(phase)}.`;
@@ -60,8 +70,11 @@ export function printedWords(printed, { x, y }) {
   for (const { re, im, text } of printed) {
     const far = Array.from(x, (v, i) => Math.hypot(v - re, y[i] - im));
     const at = far.indexOf(Math.min(...far));
-    if (far[at] > READ_OFF * Math.max(Math.hypot(re, im), 0.1)) off.push(`${text} (nearest here ${complex(x[at], y[at])})`);
+    if (far[at] > READ_OFF * Math.max(Math.hypot(re, im), 0.1))
+      off.push(`${text} (nearest here ${complex(x[at], y[at])})`);
   }
   const count = `Printed roots (+): ${printed.length}, `;
-  return off.length ? `${count}of which ${off.length} more than a plot’s reading off: ${off.join('; ')}.` : `${count}all within a plot’s reading of the roots here.`;
+  return off.length
+    ? `${count}of which ${off.length} more than a plot’s reading off: ${off.join('; ')}.`
+    : `${count}all within a plot’s reading of the roots here.`;
 }

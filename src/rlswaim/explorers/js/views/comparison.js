@@ -78,7 +78,8 @@ function render({ model, el }) {
   const start = SIDES.map((key) => model.get(key));
   const sides = SIDES.map((key) => new Side(model, key));
   const arrive = () => {
-    for (const [key, at] of chosen(readAddress(NAME), model.get('payload').designs.length)) model.set(key, at);
+    for (const [key, at] of chosen(readAddress(NAME), model.get('payload').designs.length))
+      model.set(key, at);
     model.save_changes();
   };
   const changed = () => {

@@ -8,7 +8,16 @@ import { initialize } from '../page/sliders.js';
 
 const MARKS = { 'short period': '^', 'mode 1': 's', 'mode 2': 'd', attitude: 'o' };
 const SIGNS = { 'short period': '▲', 'mode 1': '■', 'mode 2': '◆', attitude: '●' };
-const NAMES = { coupling: 'the coupling', omega_1: 'ω₁', omega_2: 'ω₂', q_D: 'qD', C_payload: 'the payload’s CNα (1/rad)', C_fins: 'the fins’ CNα (1/rad)', l_payload: 'the payload’s station', l_fins: 'the fins’ station' };
+const NAMES = {
+  coupling: 'the coupling',
+  omega_1: 'ω₁',
+  omega_2: 'ω₂',
+  q_D: 'qD',
+  C_payload: 'the payload’s CNα (1/rad)',
+  C_fins: 'the fins’ CNα (1/rad)',
+  l_payload: 'the payload’s station',
+  l_fins: 'the fins’ station',
+};
 const LADDER = [1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10];
 
 // The table has one value a foot; between two of them the picture takes the straight line.
@@ -18,7 +27,8 @@ function along(values, station) {
 }
 
 function place(payload, factors, surface) {
-  for (const [name, values] of Object.entries(payload.shapes)) factors[`${name}_${surface}`] = along(values, factors[`l_${surface}`]);
+  for (const [name, values] of Object.entries(payload.shapes))
+    factors[`${name}_${surface}`] = along(values, factors[`l_${surface}`]);
 }
 
 function factorsOf(payload, state) {
@@ -33,9 +43,16 @@ const compiled = new WeakMap();
 function tablesOf(payload) {
   if (!compiled.has(payload)) {
     const names = Object.keys(payload.coefficients);
-    const factors = [...new Set(Object.values(payload.coefficients).flatMap((products) => products.flatMap(([, of]) => of)))];
-    const coefficients = Object.values(payload.coefficients).map((products) => products.filter(([weight]) => weight !== 0).map(([weight, of]) => [weight, of.map((name) => factors.indexOf(name))]));
-    const indexed = (table) => table.map(([weight, power, of]) => [weight, power, of.map((name) => names.indexOf(name))]);
+    const factors = [
+      ...new Set(Object.values(payload.coefficients).flatMap((products) => products.flatMap(([, of]) => of))),
+    ];
+    const coefficients = Object.values(payload.coefficients).map((products) =>
+      products
+        .filter(([weight]) => weight !== 0)
+        .map(([weight, of]) => [weight, of.map((name) => factors.indexOf(name))]),
+    );
+    const indexed = (table) =>
+      table.map(([weight, power, of]) => [weight, power, of.map((name) => names.indexOf(name))]);
     const blocks = Object.entries(payload.blocks).map(([name, table]) => [name, indexed(table)]);
     compiled.set(payload, { factors, coefficients, determinant: indexed(payload.determinant), blocks });
   }
@@ -111,7 +128,8 @@ function curve(payload, state, running) {
   };
 }
 
-const nodes = (from, to, count) => Array.from({ length: count + 1 }, (_, k) => from + ((to - from) * k) / count);
+const nodes = (from, to, count) =>
+  Array.from({ length: count + 1 }, (_, k) => from + ((to - from) * k) / count);
 
 // Paths of the poles: while the coupling rises from nothing to all, and while the chosen parameter runs from where it
 // is to both ends of its slider. The names are those of the motions that the poles grow out of.
@@ -126,7 +144,9 @@ export function paths(payload, state, view) {
   const { grid } = payload.parameters.find(({ name }) => name === state.running);
   const here = state[state.running];
   const moving = curve(payload, state, state.running);
-  const runs = [grid[0], grid.at(-1)].filter((to) => to !== here).map((to) => trace(moving, nodes(here, to, 16), present, view));
+  const runs = [grid[0], grid.at(-1)]
+    .filter((to) => to !== here)
+    .map((to) => trace(moving, nodes(here, to, 16), present, view));
   return { start, present, names: start.names, runs };
 }
 
@@ -140,7 +160,13 @@ function windowOf(points, canvas) {
   const reach = (values, least) => ladder(Math.max(1.12 * values.reduce((a, b) => Math.max(a, b), 0), least));
   const x = points.flatMap((p) => [...p.x]);
   const y = points.flatMap((p) => [...p.y]);
-  const side = Math.max(reach(x, 0.4), reach(x.map((v) => -v), 0.4));
+  const side = Math.max(
+    reach(x, 0.4),
+    reach(
+      x.map((v) => -v),
+      0.4,
+    ),
+  );
   const range = { x: [-side, side], y: [-0.05, 1].map((share) => share * reach(y, 0.4)) };
   const scale = Math.max(canvas.clientWidth / (2 * side), canvas.clientHeight / range.y[1]);
   return { range, view: { left: -side, right: side, top: range.y[1], scale, tolerance: 0.3 } };
@@ -150,8 +176,22 @@ function picture(canvas, theme, range, { start, present, names, runs }, isCoupli
   const plot = new Plot(canvas, theme, { ...range, xLabel: 'Re s (1/s)', yLabel: 'Im s (1/s)' }).axes();
   plot.g.fillStyle = theme.unstable;
   plot.g.fillRect(plot.X(0), 0, plot.width, plot.Y(range.y[0]));
-  plot.line([[0, range.y[0]], [0, range.y[1]]], theme.axis, 1.5);
-  plot.line([[range.x[0], 0], [range.x[1], 0]], theme.axis, 1);
+  plot.line(
+    [
+      [0, range.y[0]],
+      [0, range.y[1]],
+    ],
+    theme.axis,
+    1.5,
+  );
+  plot.line(
+    [
+      [range.x[0], 0],
+      [range.x[1], 0],
+    ],
+    theme.axis,
+    1,
+  );
   names.forEach((name, i) => {
     for (const run of runs) {
       const points = run.map((p) => [p.x[i], Math.abs(p.y[i])]);
@@ -161,7 +201,8 @@ function picture(canvas, theme, range, { start, present, names, runs }, isCoupli
       const [a, b] = [points[Math.max(0, k - 1)], points[Math.min(points.length - 1, k + 1)]];
       const [ax, ay, bx, by] = [plot.X(a[0]), plot.Y(a[1]), plot.X(b[0]), plot.Y(b[1])];
       const size = Math.hypot(bx - ax, by - ay);
-      if (size > 0.5) plot.arrow(bx - (9 * (bx - ax)) / size, by - (9 * (by - ay)) / size, bx, by, theme[name], 2);
+      if (size > 0.5)
+        plot.arrow(bx - (9 * (bx - ax)) / size, by - (9 * (by - ay)) / size, bx, by, theme[name], 2);
     }
   });
   plot.mark('o', 0, 0, theme.attitude, 4);
@@ -176,14 +217,27 @@ function picture(canvas, theme, range, { start, present, names, runs }, isCoupli
 function verdict(found) {
   const upper = found.filter(({ im, name }) => im >= 0 && name !== 'attitude').sort((a, b) => b.re - a.re);
   const [worst] = upper;
-  const kind = worst.im ? `pair at ${number(worst.re)} ± ${number(worst.im)}j 1/s` : `real root at ${number(worst.re)} 1/s`;
+  const kind = worst.im
+    ? `pair at ${number(worst.re)} ± ${number(worst.im)}j 1/s`
+    : `real root at ${number(worst.re)} 1/s`;
   const from = ` (from ${worst.name})`;
-  if (worst.re > 0) return ['Unstable', `: the ${kind}${from} doubles its motion every ${number(Math.LN2 / worst.re, 3)} s.`, 'unstable'];
-  if (worst.re === 0) return ['Neutral', `: beside the attitude the ${kind}${from} neither grows nor decays.`, 'neutral'];
-  return ['No divergence', `: but for the attitude, which nothing restores, all roots decay; the slowest, the ${kind}${from}, halves its motion every ${number(-Math.LN2 / worst.re, 3)} s.`, 'stable'];
+  if (worst.re > 0)
+    return [
+      'Unstable',
+      `: the ${kind}${from} doubles its motion every ${number(Math.LN2 / worst.re, 3)} s.`,
+      'unstable',
+    ];
+  if (worst.re === 0)
+    return ['Neutral', `: beside the attitude the ${kind}${from} neither grows nor decays.`, 'neutral'];
+  return [
+    'No divergence',
+    `: but for the attitude, which nothing restores, all roots decay; the slowest, the ${kind}${from}, halves its motion every ${number(-Math.LN2 / worst.re, 3)} s.`,
+    'stable',
+  ];
 }
 
-const digits = (value) => (value === 0 ? '0' : Math.abs(value) < 1e-3 ? value.toExponential(7) : value.toPrecision(8));
+const digits = (value) =>
+  value === 0 ? '0' : Math.abs(value) < 1e-3 ? value.toExponential(7) : value.toPrecision(8);
 
 function render({ model, el }) {
   const payload = model.get('payload');
@@ -191,7 +245,11 @@ function render({ model, el }) {
   const { canvas, figure } = plane('paths', [element('b', {}, 'Poles of the vehicle'), what]);
   const word = element('b');
   const reason = element('span');
-  const table = new Table('Poles of the vehicle without control', ['grows out of', 'real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'], 'poles');
+  const table = new Table(
+    'Poles of the vehicle without control',
+    ['grows out of', 'real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'],
+    'poles',
+  );
   const signs = legend([
     ['×', 'each motion by itself'],
     ...Object.entries(SIGNS).map(([name, sign]) => [sign, name]),
@@ -202,23 +260,43 @@ function render({ model, el }) {
     const found = paths(payload, state, range.view);
     const isCoupling = state.running === 'coupling';
     picture(canvas, theme, range.range, found, isCoupling);
-    const list = [{ re: 0, im: 0, name: 'attitude' }, ...found.names.map((name, i) => ({ re: found.present.x[i], im: found.present.y[i], name }))];
+    const list = [
+      { re: 0, im: 0, name: 'attitude' },
+      ...found.names.map((name, i) => ({ re: found.present.x[i], im: found.present.y[i], name })),
+    ];
     const [status, why, kind] = verdict(list);
     set(word, status);
     set(reason, why);
     word.className = kind;
     const { grid, unit } = payload.parameters.find(({ name }) => name === state.running) ?? {};
-    set(what, isCoupling ? ' while the coupling rises from nothing to all' : ` while ${NAMES[state.running] ?? state.running} runs from ${number(grid[0])} to ${number(grid.at(-1))} ${unit}`);
-    table.show(list.map(({ re, im, name }) => {
-      const size = Math.hypot(re, im);
-      const said = re > 0 ? 'unstable' : re < 0 ? 'stable' : 'neutrally stable';
-      return {
-        cells: [`${SIGNS[name]} ${name}`, digits(re), digits(im), digits(size), size ? digits(-re / size) : '–', said],
-        data: { re, im, branch: name },
-        kind: re > 0 ? 'unstable' : 'stable',
-      };
-    }));
-    canvas.setAttribute('aria-label', `Poles of the vehicle without control${what.textContent}. ${status}${why}`);
+    set(
+      what,
+      isCoupling
+        ? ' while the coupling rises from nothing to all'
+        : ` while ${NAMES[state.running] ?? state.running} runs from ${number(grid[0])} to ${number(grid.at(-1))} ${unit}`,
+    );
+    table.show(
+      list.map(({ re, im, name }) => {
+        const size = Math.hypot(re, im);
+        const said = re > 0 ? 'unstable' : re < 0 ? 'stable' : 'neutrally stable';
+        return {
+          cells: [
+            `${SIGNS[name]} ${name}`,
+            digits(re),
+            digits(im),
+            digits(size),
+            size ? digits(-re / size) : '–',
+            said,
+          ],
+          data: { re, im, branch: name },
+          kind: re > 0 ? 'unstable' : 'stable',
+        };
+      }),
+    );
+    canvas.setAttribute(
+      'aria-label',
+      `Poles of the vehicle without control${what.textContent}. ${status}${why}`,
+    );
     return `${status}${why}`;
   }
   const nodesOfView = [element('p', { class: 'verdict' }, word, reason), figure, signs, table.node];

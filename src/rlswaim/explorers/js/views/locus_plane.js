@@ -6,7 +6,8 @@ import { gainAt, rootLocus } from '../maths/locus.js';
 import { drawLocus } from '../drawing/pole_pictures.js';
 import { cameraOf, fitted, insetOf, windowOf, zoomed } from '../drawing/camera.js';
 
-const KEYS_HELP = 'Arrows step the running parameter, plus and minus zoom, 0 fits, Shift with arrows pans, Tab goes to the poles.';
+const KEYS_HELP =
+  'Arrows step the running parameter, plus and minus zoom, 0 fits, Shift with arrows pans, Tab goes to the poles.';
 
 export const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
 
@@ -21,7 +22,12 @@ const dampingOf = (x, y) => -x / Math.hypot(x, y);
 export class LocusPlane {
   constructor(bench) {
     this.bench = bench;
-    this.canvas = element('canvas', { role: 'application', tabindex: '0', 'data-plane': 'locus', 'aria-description': KEYS_HELP });
+    this.canvas = element('canvas', {
+      role: 'application',
+      tabindex: '0',
+      'data-plane': 'locus',
+      'aria-description': KEYS_HELP,
+    });
     this.tip = element('div', { class: 'tip', role: 'tooltip', 'aria-live': 'off', hidden: true });
     this.spot = element('div', { class: 'spot', hidden: true });
     this.handles = [];
@@ -30,7 +36,15 @@ export class LocusPlane {
     this.range = element('span');
     this.now = element('small');
     const caption = element('figcaption', {}, element('span', {}, this.title, ', ', this.range), this.now);
-    const stage = element('div', { class: 'stage' }, this.canvas, this.keys, this.spot, this.tip, this.#tools());
+    const stage = element(
+      'div',
+      { class: 'stage' },
+      this.canvas,
+      this.keys,
+      this.spot,
+      this.tip,
+      this.#tools(),
+    );
     this.node = element('figure', { class: 'locus' }, caption, stage);
     const acts = this.#acts();
     this.stop = handlePointers(this.canvas, acts);
@@ -43,9 +57,14 @@ export class LocusPlane {
       const view = this.#now();
       this.#move(zoomed(view, factor, view.frame.x + view.frame.w / 2, view.Y(Math.max(view.bottom, 0))));
     };
-    this.lock = button('Lock axes', () => this.#move(this.bench.desk.view.camera ? null : cameraOf(this.view)), {
-      title: 'hold the window while sliders move', 'aria-pressed': 'false',
-    });
+    this.lock = button(
+      'Lock axes',
+      () => this.#move(this.bench.desk.view.camera ? null : cameraOf(this.view)),
+      {
+        title: 'hold the window while sliders move',
+        'aria-pressed': 'false',
+      },
+    );
     const nodes = [
       button('−', zoom(0.7), { 'aria-label': 'zoom out' }),
       button('+', zoom(1 / 0.7), { 'aria-label': 'zoom in' }),
@@ -137,7 +156,9 @@ export class LocusPlane {
     const { running } = desk.what;
     const zeta = Math.hypot(x, y) ? ` · ζ ${number(dampingOf(x, y), 3)}` : '';
     this.tip.replaceChildren(
-      element('b', {}, this.locus.open.branches[branch]), element('br'), ...symbol(running),
+      element('b', {}, this.locus.open.branches[branch]),
+      element('br'),
+      ...symbol(running),
       ` ${runText(system, running)(t)} · ω ${number(Math.hypot(x, y), 3)} rad/s${zeta}`,
     );
     const [left, top] = [view.X(x), view.Y(Math.abs(y))];
@@ -150,7 +171,11 @@ export class LocusPlane {
   // Draws the present state, and returns what it traced.
   draw(width, height, closed) {
     const { system, desk, theme, model } = this.bench;
-    const { state, what, view: { camera, printed } } = desk;
+    const {
+      state,
+      what,
+      view: { camera, printed },
+    } = desk;
     this.view = camera ? windowOf(camera, width, height) : fitted(this.#worthSeeing(closed), width, height);
     this.locus = rootLocus(system, state, this.view, what);
     const magnify = model.get('magnify');
@@ -159,7 +184,11 @@ export class LocusPlane {
       const view = insetOf(this.view, magnify);
       this.inset = { view, magnify, locus: rootLocus(system, state, view, what) };
     }
-    this.extra = { printed: system.presets[printed]?.printed ?? [], selected: this.bench.selected(closed), inset: this.inset };
+    this.extra = {
+      printed: system.presets[printed]?.printed ?? [],
+      selected: this.bench.selected(closed),
+      inset: this.inset,
+    };
     this.paint(contextOf(this.canvas, width, height));
     this.#place();
     this.#say(state, what, theme);
@@ -182,7 +211,9 @@ export class LocusPlane {
   #worthSeeing(closed) {
     const { poles, presets } = this.bench.system;
     const printed = presets[this.bench.desk.view.printed]?.printed ?? [];
-    return [...poles, ...printed].map((p) => [p.re, p.im]).concat(Array.from(closed.x, (x, i) => [x, closed.y[i]]));
+    return [...poles, ...printed]
+      .map((p) => [p.re, p.im])
+      .concat(Array.from(closed.x, (x, i) => [x, closed.y[i]]));
   }
 
   // Where the keyboard finds the poles: over their marks, above the axis.
@@ -218,7 +249,10 @@ export class LocusPlane {
       this.range.replaceChildren(...symbol(running), ` ${range}`);
     }
     const open = still.length ? `, with ${still.join(', ')} = 0` : '';
-    set(this.now, `${name && name !== running ? `${name}: ` : ''}filled marks at ${running} = ${text(state[running])}${open}`);
+    set(
+      this.now,
+      `${name && name !== running ? `${name}: ` : ''}filled marks at ${running} = ${text(state[running])}${open}`,
+    );
     press(this.lock, Boolean(this.bench.desk.view.camera));
   }
 
@@ -228,7 +262,10 @@ export class LocusPlane {
     const { present, end, from = 0, open } = this.locus;
     const text = runText(this.bench.system, running);
     const value = text(this.bench.desk.state[running]);
-    this.canvas.setAttribute('aria-label', `Root locus in ${running} from ${text(from)} to ${text(end)}. At ${running} = ${value}: ${words}`);
+    this.canvas.setAttribute(
+      'aria-label',
+      `Root locus in ${running} from ${text(from)} to ${text(end)}. At ${running} = ${value}: ${words}`,
+    );
     this.handles.forEach(({ made, hidden }, i) => {
       if (hidden) return;
       const label = `${open.branches[i]} at ${complex(present.x[i], present.y[i])} 1/s, ${present.x[i] > 0 ? 'unstable' : 'stable'}; Enter shows its mode`;
@@ -236,4 +273,3 @@ export class LocusPlane {
     });
   }
 }
-

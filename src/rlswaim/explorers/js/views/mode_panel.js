@@ -6,7 +6,12 @@ import { modeShape } from '../maths/mode_shape.js';
 
 const STRAIGHT = { shares: {}, shape: { re: new Float64Array(421), im: new Float64Array(421) } };
 const PERIOD = 2400; // ms of one swing on the page, whatever the mode's own
-const COORDINATES = { translation: 'rigid-body translation', theta: 'rigid-body rotation', q1: 'bending mode 1', q2: 'bending mode 2' };
+const COORDINATES = {
+  translation: 'rigid-body translation',
+  theta: 'rigid-body rotation',
+  q1: 'bending mode 1',
+  q2: 'bending mode 2',
+};
 
 export class ModePanel {
   constructor(bench) {
@@ -53,11 +58,21 @@ export class ModePanel {
   #tell({ re, im }, found) {
     const time = Math.LN2 / Math.abs(re);
     const pace = im ? `period ${number((2 * Math.PI) / Math.abs(im), 3)} s, ` : 'no oscillation, ';
-    const end = re === 0 ? 'neither grows nor decays' : `${re > 0 ? 'doubles' : 'halves'} every ${number(time, 3)} s`;
+    const end =
+      re === 0 ? 'neither grows nor decays' : `${re > 0 ? 'doubles' : 'halves'} every ${number(time, 3)} s`;
     set(this.panel.extra, found ? `${pace}${end}` : 'this pole moves no coordinate of the vehicle');
     const entries = Object.entries(this.shown.shares).sort((a, b) => b[1] - a[1]);
     this.shares.hidden = !found;
-    while (this.shares.children.length < entries.length) this.shares.append(element('li', {}, element('span'), element('meter', { min: 0, max: 1, 'aria-hidden': 'true' }), element('b')));
+    while (this.shares.children.length < entries.length)
+      this.shares.append(
+        element(
+          'li',
+          {},
+          element('span'),
+          element('meter', { min: 0, max: 1, 'aria-hidden': 'true' }),
+          element('b'),
+        ),
+      );
     entries.forEach(([name, share], k) => {
       const [label, meter, text] = this.shares.children[k].children;
       set(label, COORDINATES[name] ?? name);
@@ -75,17 +90,35 @@ export class ModePanel {
     const running = !this.still && !this.paused;
     if (running) this.phase = (2 * Math.PI * (now % PERIOD)) / PERIOD;
     const phases = this.still ? STILL : [this.phase ?? 0];
-    const marks = [{ station: system.vehicle.l_CG, label: 'CG' }, ...system.maps.map((name) => ({ station: desk.state[name], label: name }))];
+    const marks = [
+      { station: system.vehicle.l_CG, label: 'CG' },
+      ...system.maps.map((name) => ({ station: desk.state[name], label: name })),
+    ];
     this.canvas.style.height = `${height}px`;
-    drawBent(contextOf(this.canvas, width, height), width, height, theme, theme.branch(pole.name).color, shape, phases, marks);
-    if (running && this.bench.isSeen(this)) this.next = requestAnimationFrame((time) => this.bench.isSeen(this) && this.#frame(time));
+    drawBent(
+      contextOf(this.canvas, width, height),
+      width,
+      height,
+      theme,
+      theme.branch(pole.name).color,
+      shape,
+      phases,
+      marks,
+    );
+    if (running && this.bench.isSeen(this))
+      this.next = requestAnimationFrame((time) => this.bench.isSeen(this) && this.#frame(time));
   }
 
   later() {
     if (!this.shown) return;
     const { pole, shares } = this.shown;
-    const parts = Object.entries(shares).map(([name, share]) => `${COORDINATES[name] ?? name} ${(100 * share).toFixed(0)} %`);
-    this.canvas.setAttribute('aria-label', `The vehicle in the mode of ${pole.name} at ${complex(pole.re, pole.im)} 1/s: ${parts.join(', ')}`);
+    const parts = Object.entries(shares).map(
+      ([name, share]) => `${COORDINATES[name] ?? name} ${(100 * share).toFixed(0)} %`,
+    );
+    this.canvas.setAttribute(
+      'aria-label',
+      `The vehicle in the mode of ${pole.name} at ${complex(pole.re, pole.im)} 1/s: ${parts.join(', ')}`,
+    );
   }
 
   stop() {

@@ -20,8 +20,18 @@ export class MapPanel {
     this.bench = bench;
     const { system } = bench;
     this.canvas = element('canvas', { role: 'img', 'data-plane': 'map' });
-    this.list = select('Station of', system.maps.map((name, i) => [i, name]), (at) => bench.look({ map: Number(at) }));
-    this.panel = panel('map', 'Pole map', () => bench.follow(), element('div', { class: 'controls' }, this.list.node), this.canvas);
+    this.list = select(
+      'Station of',
+      system.maps.map((name, i) => [i, name]),
+      (at) => bench.look({ map: Number(at) }),
+    );
+    this.panel = panel(
+      'map',
+      'Pole map',
+      () => bench.follow(),
+      element('div', { class: 'controls' }, this.list.node),
+      this.canvas,
+    );
     if (system.maps.length < 2) this.list.node.parentNode.hidden = true;
     this.node = this.panel.node;
     this.sides = [];
@@ -34,7 +44,11 @@ export class MapPanel {
     const [px, py] = [event.clientX - box.left, event.clientY - box.top];
     for (const side of this.sides) {
       const point = nearestOn(side, this.view, px, py, 12);
-      if (point) return this.bench.put(this.bench.desk.station, this.bench.desk.place(this.bench.desk.station, point.t));
+      if (point)
+        return this.bench.put(
+          this.bench.desk.station,
+          this.bench.desk.place(this.bench.desk.station, point.t),
+        );
     }
   }
 
@@ -51,9 +65,17 @@ export class MapPanel {
   #begin(width) {
     const { system, desk, closed } = this.bench;
     const height = Math.round(Math.min(0.8 * width, 420));
-    const points = Array.from(closed.x, (x, i) => [x, closed.y[i]]).concat(system.poles.map((p) => [p.re, p.im]));
+    const points = Array.from(closed.x, (x, i) => [x, closed.y[i]]).concat(
+      system.poles.map((p) => [p.re, p.im]),
+    );
     const view = desk.view.camera ? windowOf(desk.view.camera, width, height) : fitted(points, width, height);
-    return { closed, view, steps: poleMapping(system, desk.state, closed, view, desk.station), cost: 0, done: false };
+    return {
+      closed,
+      view,
+      steps: poleMapping(system, desk.state, closed, view, desk.station),
+      cost: 0,
+      done: false,
+    };
   }
 
   #continue(work) {
@@ -85,17 +107,33 @@ export class MapPanel {
     const { width, height } = view;
     [this.view, this.sides] = [view, sides];
     if (this.height !== height) this.canvas.style.height = `${(this.height = height)}px`;
-    drawMap(contextOf(this.canvas, width, height), this.view, theme, closed, closed.branches, this.sides, 'ft');
+    drawMap(
+      contextOf(this.canvas, width, height),
+      this.view,
+      theme,
+      closed,
+      closed.branches,
+      this.sides,
+      'ft',
+    );
     const [from, to] = system.running[desk.station].ends;
     const still = `${number(desk.state[desk.station])} ft`;
-    set(this.panel.extra, this.sides.length ? `${desk.station} from ${from} to ${to} ft, filled marks at ${still}` : 'no influence: the feedback leaves out the bending');
+    set(
+      this.panel.extra,
+      this.sides.length
+        ? `${desk.station} from ${from} to ${to} ft, filled marks at ${still}`
+        : 'no influence: the feedback leaves out the bending',
+    );
     this.list.list.value = desk.view.map;
   }
 
   later(short) {
     const { station, state } = this.bench.desk;
     const ends = this.bench.system.running[station].ends;
-    this.canvas.setAttribute('aria-label', `Closed-loop poles as the ${station} runs from ${ends.join(' to ')} ft. At ${number(state[station])} ft: ${short}`);
+    this.canvas.setAttribute(
+      'aria-label',
+      `Closed-loop poles as the ${station} runs from ${ends.join(' to ')} ft. At ${number(state[station])} ft: ${short}`,
+    );
   }
 }
 
@@ -106,9 +144,21 @@ export class ResponsePanel {
     this.canvas = element('canvas', { role: 'img', 'data-plane': 'responses' });
     const number_ = (name) => (value) => bench.look({ [name]: Number(value) });
     this.lists = {
-      input: select('After a', desk.inputs.map(({ text }, i) => [i, text]), number_('input')),
-      gust: select('lasting', GUSTS.map((s) => [s, `${s} s`]), number_('gust')),
-      duration: select('over', DURATIONS.map((s) => [s, `${s} s`]), number_('duration')),
+      input: select(
+        'After a',
+        desk.inputs.map(({ text }, i) => [i, text]),
+        number_('input'),
+      ),
+      gust: select(
+        'lasting',
+        GUSTS.map((s) => [s, `${s} s`]),
+        number_('gust'),
+      ),
+      duration: select(
+        'over',
+        DURATIONS.map((s) => [s, `${s} s`]),
+        number_('duration'),
+      ),
     };
     const row = element('div', { class: 'controls' }, ...Object.values(this.lists).map(({ node }) => node));
     this.panel = panel('responses', 'Responses', () => bench.follow(), row, this.canvas);
@@ -118,7 +168,8 @@ export class ResponsePanel {
 
   #choices() {
     const { desk } = this.bench;
-    for (const [name, { list }] of Object.entries(this.lists)) if (list.value !== String(desk.view[name])) list.value = desk.view[name];
+    for (const [name, { list }] of Object.entries(this.lists))
+      if (list.value !== String(desk.view[name])) list.value = desk.view[name];
     this.lists.gust.node.hidden = desk.response.kind !== 'gust';
   }
 
@@ -132,7 +183,15 @@ export class ResponsePanel {
     this.found = responses(system, desk.state, desk.response, this.times);
     const height = heightOf(width, Object.keys(this.found).length);
     if (this.height !== height) this.canvas.style.height = `${(this.height = height)}px`;
-    drawResponses(contextOf(this.canvas, width, height), width, height, theme, this.times, this.found, system.units);
+    drawResponses(
+      contextOf(this.canvas, width, height),
+      width,
+      height,
+      theme,
+      this.times,
+      this.found,
+      system.units,
+    );
     this.#choices();
   }
 
@@ -140,7 +199,10 @@ export class ResponsePanel {
     if (!this.found) return;
     const { desk, system } = this.bench;
     const { text } = desk.inputs[desk.view.input];
-    this.canvas.setAttribute('aria-label', `Responses over ${desk.view.duration} s after a ${text}. ${responseWords(this.found, system.units)}`);
+    this.canvas.setAttribute(
+      'aria-label',
+      `Responses over ${desk.view.duration} s after a ${text}. ${responseWords(this.found, system.units)}`,
+    );
   }
 }
 
@@ -155,7 +217,8 @@ export function legend() {
     ['╌', 'a pair whose roots left different poles'],
     ['+', 'printed in the report'],
   ];
-  const item = ([sign, meaning]) => element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
+  const item = ([sign, meaning]) =>
+    element('li', {}, element('span', { 'aria-hidden': 'true' }, sign), ` ${meaning}`);
   return element('ul', { class: 'legend' }, ...entries.map(item));
 }
 
@@ -173,7 +236,10 @@ const HELP = [
 ];
 
 export function helpPanel() {
-  const list = element('dl', {}, ...HELP.flatMap(([key, meaning]) => [element('dt', {}, key), element('dd', {}, meaning)]));
+  const list = element(
+    'dl',
+    {},
+    ...HELP.flatMap(([key, meaning]) => [element('dt', {}, key), element('dd', {}, meaning)]),
+  );
   return panel('help', 'Keys and gestures', () => {}, list).node;
 }
-

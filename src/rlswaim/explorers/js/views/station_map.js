@@ -11,7 +11,8 @@ const ENDS = 10;
 const TICKS = [-10, -1, -0.1, 0, 0.1, 1, 10];
 
 // Place of a value on the scale, from 0 to 1.
-const share = (value) => Math.max(0, Math.min(1, 0.5 + (0.5 * Math.asinh(value / FINE)) / Math.asinh(ENDS / FINE)));
+const share = (value) =>
+  Math.max(0, Math.min(1, 0.5 + (0.5 * Math.asinh(value / FINE)) / Math.asinh(ENDS / FINE)));
 
 // Rows of the map from a worker made of the same scripts, or in short turns on the page where no worker may start.
 function calculator(code, receive) {
@@ -66,19 +67,31 @@ function calculator(code, receive) {
 function render({ model, el }) {
   const payload = model.get('payload');
   const gains = payload.parameters.map(({ name }) => name).filter((name) => !STATIONS_OF.includes(name));
-  const palette = payload.palette.map((hex) => Number.parseInt(hex.slice(5) + hex.slice(3, 5) + hex.slice(1, 3), 16) | 0xff000000);
+  const palette = payload.palette.map(
+    (hex) => Number.parseInt(hex.slice(5) + hex.slice(3, 5) + hex.slice(1, 3), 16) | 0xff000000,
+  );
   let [plan, key, started, cursor] = [null, '', false, null];
   let pictures = []; // of the last fineness that is whole, and of the one that comes in
   let last = null; // the last fineness that is whole
 
-  const { canvas, figure } = plane('stations', [element('b', {}, 'Largest real part of all poles'), ' (1/s) for every sensor and jet'], { tabindex: '0', role: 'application' });
+  const { canvas, figure } = plane(
+    'stations',
+    [element('b', {}, 'Largest real part of all poles'), ' (1/s) for every sensor and jet'],
+    { tabindex: '0', role: 'application' },
+  );
   const scale = plane('scale', 'color of the map (1/s): below zero all poles decay');
   const words = element('p', { class: 'verdict' });
   const word = element('b');
   const rest = element('span');
   const progress = element('p', { class: 'crossings' });
   words.append(word, rest);
-  const table = new Table('The pairs of Table 3 at these gains', ['case', 'sensor (ft)', 'jet (ft)', 'largest real part (1/s)', 'stable']);
+  const table = new Table('The pairs of Table 3 at these gains', [
+    'case',
+    'sensor (ft)',
+    'jet (ft)',
+    'largest real part (1/s)',
+    'stable',
+  ]);
   const signs = legend([
     ['✚', 'the pair chosen'],
     ['○', 'pairs of Table 3'],
@@ -118,10 +131,18 @@ function render({ model, el }) {
   }
 
   function showPairs(values) {
-    table.show(payload.pairs.map(({ case: at, sensor, jet }, i) => ({
-      cells: [at, sensor, jet, signed(values[i]), values[i] < 0 ? 'yes' : values[i] > 0 ? 'no' : 'neutral'].map(String),
-      data: { case: at, value: values[i] },
-    })));
+    table.show(
+      payload.pairs.map(({ case: at, sensor, jet }, i) => ({
+        cells: [
+          at,
+          sensor,
+          jet,
+          signed(values[i]),
+          values[i] < 0 ? 'yes' : values[i] > 0 ? 'no' : 'neutral',
+        ].map(String),
+        data: { case: at, value: values[i] },
+      })),
+    );
   }
   const machine = calculator(payload.worker, receive);
 
@@ -138,11 +159,22 @@ function render({ model, el }) {
   }
 
   function drawMap(state, theme) {
-    const plot = new Plot(canvas, theme, { x: [-0.5, 420.5], y: [-0.5, 420.5], xLabel: 'station of the sensor (ft)', yLabel: 'station of the jet (ft)' }).axes();
+    const plot = new Plot(canvas, theme, {
+      x: [-0.5, 420.5],
+      y: [-0.5, 420.5],
+      xLabel: 'station of the sensor (ft)',
+      yLabel: 'station of the jet (ft)',
+    }).axes();
     const { g } = plot;
     g.imageSmoothingEnabled = false;
     for (const { step, side, canvas: cells } of pictures) {
-      g.drawImage(cells, plot.X(-0.5), plot.Y(step * side - 0.5), step * side * plot.sx, step * side * plot.sy);
+      g.drawImage(
+        cells,
+        plot.X(-0.5),
+        plot.Y(step * side - 0.5),
+        step * side * plot.sx,
+        step * side * plot.sy,
+      );
     }
     g.beginPath();
     const line = last?.line ?? [];
@@ -165,7 +197,10 @@ function render({ model, el }) {
       ring(sensor, jet, 4, '#000', 1.3);
     }
     const [x, y] = [plot.X(state.sensor), plot.Y(state.jet)];
-    for (const [color, width] of [['#fff', 5], ['#000', 2]]) {
+    for (const [color, width] of [
+      ['#fff', 5],
+      ['#000', 2],
+    ]) {
       g.strokeStyle = color;
       g.lineWidth = width;
       g.beginPath();
@@ -193,7 +228,15 @@ function render({ model, el }) {
       const width = (plot.width - 16) / payload.palette.length;
       g.fillRect(8 + k * width, 0, width + 1, 12);
     });
-    for (const tick of TICKS) plot.text(signed(tick, 1), 8 + share(tick) * (plot.width - 16), 20, theme.muted, tick === -ENDS ? 'left' : tick === ENDS ? 'right' : 'center', false);
+    for (const tick of TICKS)
+      plot.text(
+        signed(tick, 1),
+        8 + share(tick) * (plot.width - 16),
+        20,
+        theme.muted,
+        tick === -ENDS ? 'left' : tick === ENDS ? 'right' : 'center',
+        false,
+      );
   }
 
   let plot;
@@ -210,13 +253,24 @@ function render({ model, el }) {
     set(rest, why);
     Object.assign(words.dataset, { value });
     const complete = last?.step === 1;
-    set(progress, complete
-      ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${last.stable.toLocaleString('en')} stable${last.neutral ? `, ${last.neutral.toLocaleString('en')} neutral, with a root at zero and none right of it` : ''}.`
-      : `Computing: every ${pictures.at(-1)?.step ?? STEPS[0]} ft …`);
+    set(
+      progress,
+      complete
+        ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${last.stable.toLocaleString('en')} stable${last.neutral ? `, ${last.neutral.toLocaleString('en')} neutral, with a root at zero and none right of it` : ''}.`
+        : `Computing: every ${pictures.at(-1)?.step ?? STEPS[0]} ft …`,
+    );
     el.dataset.step = complete ? 'complete' : String(last?.step ?? 0);
-    const there = cursor ? ` The mark is at sensor ${cursor.sensor} ft, jet ${cursor.jet} ft: ${signed(abscissaAt(plan, cursor.sensor, cursor.jet))} 1/s.` : '';
-    canvas.setAttribute('aria-label', `Map of the largest real part over sensor and jet stations. ${word.textContent}${why} Arrow keys move a mark, Enter picks its pair.${there}`);
-    scale.canvas.setAttribute('aria-label', 'Color scale from −10 to +10 1/s, purple below zero, orange above');
+    const there = cursor
+      ? ` The mark is at sensor ${cursor.sensor} ft, jet ${cursor.jet} ft: ${signed(abscissaAt(plan, cursor.sensor, cursor.jet))} 1/s.`
+      : '';
+    canvas.setAttribute(
+      'aria-label',
+      `Map of the largest real part over sensor and jet stations. ${word.textContent}${why} Arrow keys move a mark, Enter picks its pair.${there}`,
+    );
+    scale.canvas.setAttribute(
+      'aria-label',
+      'Color scale from −10 to +10 1/s, purple below zero, orange above',
+    );
     return cursor ? there.trim() : `${word.textContent}${why}`;
   }
 
@@ -250,7 +304,12 @@ function render({ model, el }) {
     view.redraw();
   });
 
-  const view = { nodes: [words, figure, scale.figure, progress, signs, table.node], canvases: [canvas, scale.canvas], draw, stop: machine.stop };
+  const view = {
+    nodes: [words, figure, scale.figure, progress, signs, table.node],
+    canvases: [canvas, scale.canvas],
+    draw,
+    stop: machine.stop,
+  };
   return mount({ model, el }, view);
 }
 

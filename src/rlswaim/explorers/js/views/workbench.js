@@ -1,7 +1,19 @@
 // The workbench: parameters in; pictures, table and words out. The same state always gives the same picture.
 import { inLab, nameOf, readAddress, writeAddress } from '../page/address.js';
 import { Desk } from './workbench_state.js';
-import { Drawing, button, buttons, element, onThemeChange, panel, press, select, set, symbol, themeOf } from '../page/dom.js';
+import {
+  Drawing,
+  button,
+  buttons,
+  element,
+  onThemeChange,
+  panel,
+  press,
+  select,
+  set,
+  symbol,
+  themeOf,
+} from '../page/dom.js';
 import { copy, download, pythonOf, svgOf } from '../page/take_away.js';
 import { History, onUndoKeys, undoButtons } from '../page/undo.js';
 import { closedLoop, margins } from '../maths/locus.js';
@@ -18,7 +30,11 @@ export class Workbench {
   constructor(model, el) {
     Object.assign(this, { model, el, system: model.get('payload'), desk: new Desk(model), width: 0 });
     this.drawing = new Drawing(el, () => this.#draw());
-    this.past = new History(() => this.desk.snapshot(), (state) => this.#restore(state), () => this.steps.tell());
+    this.past = new History(
+      () => this.desk.snapshot(),
+      (state) => this.#restore(state),
+      () => this.steps.tell(),
+    );
     this.steps = undoButtons(this.past);
     this.plane = new LocusPlane(this);
     this.map = new MapPanel(this);
@@ -43,13 +59,40 @@ export class Workbench {
     this.margins = element('span');
     this.printed = element('span');
     this.signs = legend();
-    const scroll = element('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' }, this.table.node);
+    const scroll = element(
+      'div',
+      { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'pole table' },
+      this.table.node,
+    );
     const poles = panel('poles', 'Closed-loop poles', () => {}, scroll);
     poles.node.open = this.map.node.open = this.responses.node.open = true;
     el.append(
-      this.#presets(), this.#bar(), element('p', { class: 'verdict' }, this.word, this.reason), this.live, this.plane.node,
-      element('p', { class: 'crossings' }, this.running, this.crossings, ' ', this.margins, ' ', this.printed), this.signs,
-      element('div', { class: 'panels' }, poles.node, this.map.node, this.responses.node, this.mode.node, this.#takeaway(), helpPanel()),
+      this.#presets(),
+      this.#bar(),
+      element('p', { class: 'verdict' }, this.word, this.reason),
+      this.live,
+      this.plane.node,
+      element(
+        'p',
+        { class: 'crossings' },
+        this.running,
+        this.crossings,
+        ' ',
+        this.margins,
+        ' ',
+        this.printed,
+      ),
+      this.signs,
+      element(
+        'div',
+        { class: 'panels' },
+        poles.node,
+        this.map.node,
+        this.responses.node,
+        this.mode.node,
+        this.#takeaway(),
+        helpPanel(),
+      ),
     );
   }
 
@@ -67,11 +110,19 @@ export class Workbench {
   }
 
   #bar() {
-    this.loci = select('Locus in', this.desk.loci.map(({ key, text }) => [key, text]), (locus) => this.look({ locus, camera: null }));
-    this.inset = select('Origin', MAGNIFY.map((m) => [m, m === 1 ? 'as it is' : `×${m.toLocaleString('en')} inset`]), (m) => {
-      this.desk.set({ magnify: Number(m) });
-      this.#changed();
-    });
+    this.loci = select(
+      'Locus in',
+      this.desk.loci.map(({ key, text }) => [key, text]),
+      (locus) => this.look({ locus, camera: null }),
+    );
+    this.inset = select(
+      'Origin',
+      MAGNIFY.map((m) => [m, m === 1 ? 'as it is' : `×${m.toLocaleString('en')} inset`]),
+      (m) => {
+        this.desk.set({ magnify: Number(m) });
+        this.#changed();
+      },
+    );
     this.said = element('span', { class: 'said', 'aria-live': 'polite' });
     const link = button('Copy link', () => this.#copy(this.#link(), 'link'), { hidden: inLab() });
     const steps = element('span', { class: 'steps' }, this.steps.undo, this.steps.redo, link, this.said);
@@ -81,7 +132,9 @@ export class Workbench {
   #takeaway() {
     this.code = element('code');
     const shown = element('pre', { tabindex: '0' }, this.code);
-    const row = element('div', { class: 'controls' },
+    const row = element(
+      'div',
+      { class: 'controls' },
       button('Picture (SVG)', () => this.#save('svg')),
       button('Poles (CSV)', () => this.#save('csv')),
       button('Copy as Python', () => this.#copy(pythonOf(this.system, this.desk.state), 'call')),
@@ -100,7 +153,12 @@ export class Workbench {
 
   async #copy(text, what) {
     const done = await copy(text);
-    set(this.said, done ? `${what} copied` : `no clipboard here: the ${what} stands ${what === 'link' ? 'in the address bar' : 'below'}`);
+    set(
+      this.said,
+      done
+        ? `${what} copied`
+        : `no clipboard here: the ${what} stands ${what === 'link' ? 'in the address bar' : 'below'}`,
+    );
     setTimeout(() => set(this.said, ''), 4000);
   }
 
@@ -108,7 +166,9 @@ export class Workbench {
     const { plane, system } = this;
     if (kind === 'csv') return download(`${system.system}-poles.csv`, 'text/csv', polesAsText(this.poles));
     const { width, height } = plane.view;
-    const text = svgOf(width, height, plane.canvas.ariaLabel ?? system.system, this.theme.plane, (g) => plane.paint(g));
+    const text = svgOf(width, height, plane.canvas.ariaLabel ?? system.system, this.theme.plane, (g) =>
+      plane.paint(g),
+    );
     download(`${system.system}-locus.svg`, 'image/svg+xml', text);
   }
 
@@ -127,7 +187,8 @@ export class Workbench {
     const { x, y } = this.closed;
     const off = Array.from(x, (v, i) => Math.hypot(v - re, y[i] - im));
     const mode = off.indexOf(Math.min(...off));
-    if (off[mode] > 1e-5 * Math.hypot(re, im) + 1e-9) return set(this.said, 'another loop is open here: not a pole of the whole system');
+    if (off[mode] > 1e-5 * Math.hypot(re, im) + 1e-9)
+      return set(this.said, 'another loop is open here: not a pole of the whole system');
     this.mode.node.open = true;
     this.look({ mode });
   }
@@ -164,11 +225,18 @@ export class Workbench {
     const { desk, system } = this;
     this.theme ??= themeOf(this.el, system);
     this.closed = closedLoop(system, desk.state);
-    this.poles = Array.from(this.closed.x, (re, i) => ({ re, im: this.closed.y[i], name: this.closed.branches[i] }));
+    this.poles = Array.from(this.closed.x, (re, i) => ({
+      re,
+      im: this.closed.y[i],
+      name: this.closed.branches[i],
+    }));
     this.locus = this.plane.draw(this.width, this.height, this.closed);
-    for (const part of [this.map, this.responses, this.mode]) if (this.isSeen(part)) part.draw(this.inner, this.closed);
+    for (const part of [this.map, this.responses, this.mode])
+      if (this.isSeen(part)) part.draw(this.inner, this.closed);
     this.#tell();
-    this.el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail: { ms: performance.now() - start } }));
+    this.el.dispatchEvent(
+      new CustomEvent('rlswaim:drawn', { bubbles: true, detail: { ms: performance.now() - start } }),
+    );
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.#tellLater(), LAG);
     practise(system, desk.state, (state) => this.plane.rehearse(state));

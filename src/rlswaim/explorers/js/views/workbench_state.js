@@ -11,8 +11,10 @@ export function inputsOf({ numerators }) {
   return Object.keys(numerators).map((input) => {
     const name = input.replace('(0)', '');
     if (input === 'theta_c') return { input, kind: 'step', amplitude: DEGREE, text: 'step of 1° in θ_c' };
-    if (input === 'alpha_g') return { input, kind: 'gust', amplitude: DEGREE, text: '1 − cos gust of 1° in α_g' };
-    if (FEET[name]) return { input, kind: 'initial', amplitude: 1, text: `${FEET[name]} of 1 ft at the start` };
+    if (input === 'alpha_g')
+      return { input, kind: 'gust', amplitude: DEGREE, text: '1 − cos gust of 1° in α_g' };
+    if (FEET[name])
+      return { input, kind: 'initial', amplitude: 1, text: `${FEET[name]} of 1 ft at the start` };
     return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
   });
 }
@@ -20,7 +22,11 @@ export function inputsOf({ numerators }) {
 // The loci that can be drawn: the report's own, then one for each slider.
 export function lociOf({ loci, running }) {
   const own = loci.map((what) => ({ key: what.name, text: what.name, what }));
-  const rest = Object.keys(running).map((name) => ({ key: name, text: name, what: { running: name, off: [], of: 'poles' } }));
+  const rest = Object.keys(running).map((name) => ({
+    key: name,
+    text: name,
+    what: { running: name, off: [], of: 'poles' },
+  }));
   return [...own, ...rest];
 }
 
@@ -35,7 +41,12 @@ export class Desk {
     this.names = this.system.parameters.map(({ name }) => name);
     const fresh = this.system.presets.findIndex((p) => this.#same(p.values, this.system.initial));
     const mode = this.system.poles.findIndex((p) => p.branch === 'mode 1' && p.im > 0);
-    this.start = { ...START, locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh), printed: fresh, mode };
+    this.start = {
+      ...START,
+      locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
+      printed: fresh,
+      mode,
+    };
     this.view = { ...this.start };
   }
 
@@ -113,9 +124,14 @@ export class Desk {
     const { initial } = this.system;
     const moved = this.names.some((name) => state[name] !== initial[name]);
     const all = moved ? this.names.map((name) => [name, state[name]]) : [];
-    for (const name of Object.keys(start)) if (name !== 'camera' && view[name] !== start[name]) all.push([`view.${name}`, view[name]]);
+    for (const name of Object.keys(start))
+      if (name !== 'camera' && view[name] !== start[name]) all.push([`view.${name}`, view[name]]);
     const { camera } = view;
-    if (camera) all.push(['view.window', [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_')]);
+    if (camera)
+      all.push([
+        'view.window',
+        [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_'),
+      ]);
     const magnify = this.model.get('magnify');
     if (magnify !== (this.system.magnify ?? 1)) all.push(['view.magnify', magnify]);
     return Object.fromEntries(all);
@@ -128,7 +144,8 @@ export class Desk {
       const text = texts[name];
       if (text === undefined) continue;
       if (typeof grid[0] === 'string') grid.includes(text) && (values[name] = text);
-      else if (text.trim() !== '' && Number.isFinite(Number(text)) && this.#allowed(grid, Number(text))) values[name] = Number(text);
+      else if (text.trim() !== '' && Number.isFinite(Number(text)) && this.#allowed(grid, Number(text)))
+        values[name] = Number(text);
     }
     const magnify = Number(texts['view.magnify']);
     if (magnify >= 1 && magnify <= 1e6) values.magnify = magnify;
@@ -136,14 +153,21 @@ export class Desk {
   }
 
   #allowed(grid, value) {
-    return !grid.every(Number.isInteger) || (Number.isInteger(value) && value >= grid[0] && value <= grid.at(-1));
+    return (
+      !grid.every(Number.isInteger) || (Number.isInteger(value) && value >= grid[0] && value <= grid.at(-1))
+    );
   }
 
   #viewFrom(texts) {
     const view = {};
     const locus = texts['view.locus'];
     if (this.loci.some(({ key }) => key === locus)) view.locus = locus;
-    const places = { map: this.system.maps, input: this.inputs, printed: this.system.presets, mode: { length: 99 } };
+    const places = {
+      map: this.system.maps,
+      input: this.inputs,
+      printed: this.system.presets,
+      mode: { length: 99 },
+    };
     for (const [name, { length }] of Object.entries(places)) {
       const at = Number(texts[`view.${name}`] ?? NaN);
       if (Number.isInteger(at) && at >= (name === 'printed' ? -1 : 0) && at < length) view[name] = at;
