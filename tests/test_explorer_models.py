@@ -19,6 +19,7 @@ from scipy.linalg import expm, matrix_balance
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
+from rlswaim.edition import section_4
 from rlswaim.explorers.control_systems import SYSTEMS, payload
 from rlswaim.explorers.presets import COMPARED, CORRECTED, corrected_designs, designs
 from rlswaim.loops.closures import JetLoop, theta_numerator
@@ -199,7 +200,7 @@ class TestPresets:
 
     def test_the_corrected_rigid_body_design_puts_the_short_period_where_it_is_wanted(self):
         gains = corrected_designs("IV", EQS)["Eq. 75, divided by U"]
-        short = rl.evidence.section_4.closed_loop_roots(EQS, gains["K_A"], gains["K_R"], None, order=2)
+        short = section_4.closed_loop_roots(EQS, gains["K_A"], gains["K_R"], None, order=2)
         assert abs(short - complex(-1, math.sqrt(3))).min() < 1e-9
 
     def test_the_gains_found_leave_no_root_right_of_the_axis(self):
