@@ -9,7 +9,7 @@ import pytest
 
 import rlswaim as rl
 from exact import exact_roots, off_the_polyline, paired, relative_errors
-from rlswaim.rootlocus import fast
+from rlswaim.rootlocus import fast, polynomials
 from rlswaim.rootlocus.adaptive_gains import default_axes
 from rlswaim.rootlocus.open_loop import open_loop
 from systems import mismatch
@@ -101,17 +101,17 @@ def test_what_is_not_trusted_is_left_to_eigenvalues(both):
 
 @pytest.mark.parametrize("p", [np.poly([-1.0] * 4), np.poly([-1, -1, -2, 5, 1e-6]), np.poly([1e5, 1, -1e-4])])
 def test_polynomials_have_the_same_roots(both, p):
-    a, b = both(lambda: rl.polynomials.roots(p[::-1]))
+    a, b = both(lambda: polynomials.roots(p[::-1]))
     assert mismatch(a, b) < 1e-12
 
 
 def test_roots_of_a_polynomial_of_order_38(both):
     """Break-away points of a random system of order 20, all of size .05 or so, against 60 digits."""
     loop = open_loop(SYSTEMS["random 20"])
-    p = np.convolve(loop.numerator, rl.polynomials.derivative(loop.denominator))
-    p -= np.convolve(loop.denominator, rl.polynomials.derivative(loop.numerator))
+    p = np.convolve(loop.numerator, polynomials.derivative(loop.denominator))
+    p -= np.convolve(loop.denominator, polynomials.derivative(loop.numerator))
     wanted = exact_roots(p)
-    for found in both(lambda: rl.polynomials.roots(p)):
+    for found in both(lambda: polynomials.roots(p)):
         assert relative_errors(found, wanted).max() < 1e-12
 
 
@@ -120,7 +120,7 @@ def test_four_integrators_and_a_pair_beside_its_zeros(both):
     system = control.tf([1, 1, 9.01, 9.01, 0.09, 0.09], [1, 0, 0.01, 0, 0, 0, 0])
     for locus in both(lambda: rl.root_locus(system, sign=-1)):
         p, sizes = locus.loop.polynomials(locus.gains)
-        value, _, terms = rl.polynomials.horner(p, locus.roots.T, sizes)
+        value, _, terms = polynomials.horner(p, locus.roots.T, sizes)
         assert (np.abs(value) <= 1e-12 * terms).all()
         assert locus.gains.size < 100
 
