@@ -10,7 +10,7 @@ from matplotlib import pyplot as plt
 from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
-from rlswaim.edition import conditioning
+from rlswaim.edition import conditioning, printed_closures
 from rlswaim.edition.conclusions import closed_loop
 from rlswaim.figures.conditioning import draw_sensitivities
 from rlswaim.loops import closures
@@ -21,7 +21,7 @@ from rlswaim.vehicle.equations import COEFFICIENTS
 EQS = rl.printed_equations()
 LOOPS = conditioning.printed_loops(EQS)
 TABLE = conditioning.table(LOOPS)
-JET, KK_Z = closures.final_design()
+JET, KK_Z = printed_closures.final_design()
 
 
 def figure_8(eqs):

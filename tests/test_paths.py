@@ -9,7 +9,15 @@ from matplotlib import pyplot as plt
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim.edition import consistent_vehicles, corrected_paths, section_5, section_6, table_3_readings
+from rlswaim.edition import (
+    consistent_vehicles,
+    corrected_paths,
+    printed_closures,
+    section_5,
+    section_6,
+    table_3,
+    table_3_readings,
+)
 from rlswaim.edition.matching import printed_roots
 from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C, WANTED, closed_loop_roots
 from rlswaim.figures.paths import draw_far_locus, draw_readings
@@ -22,7 +30,7 @@ from rlswaim.vehicle import trajectory
 EQS, BOOSTER = rl.printed_equations(), rl.swaim_booster()
 K_A, K_R = 0.0016, 0.618
 RIGHT = rigid_design(rigid_body(EQS), omega=2.0, zeta=0.5, K_C=K_C)
-JET, KK_Z = closures.final_design()
+JET, KK_Z = printed_closures.final_design()
 
 
 def at(loop, gain):
@@ -134,7 +142,8 @@ def test_closure_2_both_ways():
     pair = corrected_paths.closure_2_loops(EQS)
     report, corrected = (at(loop, 1) for loop in pair.values())
     assert min(report.real) == pytest.approx(-1.115e7, rel=1e-3)
-    assert contains(report, [r for r in closures.printed_factors("text-closure2-") if abs(r) > 0.1], 0.12)
+    printed = printed_closures.printed_factors("text-closure2-")
+    assert contains(report, [r for r in printed if abs(r) > 0.1], 0.12)
     assert min(corrected.real) == pytest.approx(-397, abs=0.5)
     assert max(corrected.real) == pytest.approx(390, abs=0.5)
     assert contains(corrected, roots(EQS.characteristic_polynomial())[1:], 1e-4)
@@ -142,7 +151,7 @@ def test_closure_2_both_ways():
 
 
 def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
-    report = closures.printed_closure_3(1, 0.286)
+    report = printed_closures.printed_closure_3(1, 0.286)
     corrected = closures.closure_3(EQS, JET, KK_Z, 1, 0.286)
     assert (report.poles().size, corrected.poles().size) == (16, 9)
     assert [int((loop.poles().real > 1e-9).sum()) for loop in (report, corrected)] == [4, 1]
@@ -155,7 +164,7 @@ def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
 
 @pytest.fixture(scope="module")
 def read():
-    return table_3_readings.readings(EQS, closures.table_3(EQS), samples=0)
+    return table_3_readings.readings(EQS, table_3.trials(EQS), samples=0)
 
 
 def test_starting_rates_are_those_of_the_roots_themselves():
@@ -241,7 +250,7 @@ def test_far_locus_shows_every_root():
         fig, ax = plt.subplots()
         loop = corrected_paths.closure_2_loops(EQS)["report"]
         locus = root_locus(loop, np.concatenate([[0.0], np.geomspace(1e-12, 1, 60)]))
-        draw_far_locus(ax, locus, locus.roots[-1], closures.printed_factors("text-closure2-"))
+        draw_far_locus(ax, locus, locus.roots[-1], printed_closures.printed_factors("text-closure2-"))
         closed = next(line for line in ax.lines if line.get_label() == "closed loop, computed")
         assert min(closed.get_xdata()) == pytest.approx(-1.115e7, rel=1e-3)
         assert ax.get_xlim()[0] < min(closed.get_xdata())

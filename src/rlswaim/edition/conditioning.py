@@ -16,8 +16,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from rlswaim.edition.printed_closures import final_design
 from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C
-from rlswaim.loops.closures import final_design
 from rlswaim.loops.systems import dual_actuation, rate_attitude
 from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source import checks

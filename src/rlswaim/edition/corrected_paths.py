@@ -8,6 +8,7 @@ beside `rlswaim.loops.transfer_functions`.
 import control
 import numpy as np
 
+from rlswaim.edition.printed_closures import final_design, printed_closure_2
 from rlswaim.edition.section_4 import K_C
 from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import RigidBody, rigid_body
@@ -49,6 +50,6 @@ def rigid_loops(eqs: PerturbationEquations) -> Paths:
 def closure_2_loops(eqs: PerturbationEquations) -> Paths:
     """Return closure 2's open loop, closed at gain 1: Eq. 136 as printed, and with theta/delta_r."""
     return {
-        "report": closures.printed_closure_2(),
-        "corrected": closures.closure_2(eqs, *closures.final_design()),
+        "report": printed_closure_2(),
+        "corrected": closures.closure_2(eqs, *final_design()),
     }

@@ -6,6 +6,7 @@ An id ends in the kind of number: ``-root`` (a real root), ``-re`` and ``-im``
 """
 
 from collections import defaultdict
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,3 +75,21 @@ def roots_beside(section: str, start: str, computed: NDArray) -> dict[str, float
     pairs = dict(zip(np.array(list(theirs))[rows], ours[columns], strict=True))
     ids = [id_ for id_ in printed(section) if id_.rpartition("-")[0] in pairs]
     return {i: float(KINDS[i.rpartition("-")[2]](pairs[i.rpartition("-")[0]])) for i in ids}
+
+
+def listed(values: Iterable[complex], digits: int = 3) -> str:
+    """Return roots as text, one of each pair: ``-1.543, -0.012 ± 1.150j``.
+
+    Parameters
+    ----------
+    values : iterable of complex
+        Roots (1/s).
+    digits : int
+        Digits after the point.
+
+    Returns
+    -------
+    str
+    """
+    upper = sorted((complex(v) for v in values if np.imag(v) >= 0), key=lambda v: (v.real, v.imag))
+    return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)

@@ -14,19 +14,11 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim.loops.closures import (
-    VERDICTS,
-    JetLoop,
-    Stiffening,
-    elastic_poles,
-    final_design,
-    gains_to,
-    literal_bracket,
-    stiffening,
-    with_reading,
-)
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.edition.table_3 import OUTCOMES, Trial, gains_to, trial
+from rlswaim.loops.closures import JetLoop, literal_bracket
 from rlswaim.source import checks
-from rlswaim.vehicle.equations import PerturbationEquations
+from rlswaim.vehicle.equations import PerturbationEquations, elastic_poles, with_reading
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 """Corners of the box of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
@@ -35,13 +27,13 @@ CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 class Readings(NamedTuple):
     """What becomes of one pair of Table 3 in the box.
 
-    ``nominal`` is its `Stiffening` as read here.  ``rises``, ``ends`` and ``steadies`` count the readings, of
+    ``nominal`` is its `Trial` as read here.  ``rises``, ``ends`` and ``steadies`` count the readings, of
     ``total`` with the nominal one, that rise throughout, that are at least higher at the end, and that leave
     no root right of the axis at some gain.  ``barred`` is true if no reading in the box rises throughout,
     exactly: for either sign of the gain the frequency of one mode falls as soon as the gain leaves zero.
     """
 
-    nominal: Stiffening
+    nominal: Trial
     rises: int
     ends: int
     steadies: int
@@ -100,7 +92,7 @@ def read_so(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> Perturba
 
 def readings(
     eqs: PerturbationEquations,
-    pairs: Sequence[Stiffening],
+    pairs: Sequence[Trial],
     within: float = 0.05,
     least: float = 0.0,
     samples: int = 16,
@@ -112,8 +104,8 @@ def readings(
     Parameters
     ----------
     eqs : PerturbationEquations
-    pairs : sequence of Stiffening
-        From `rlswaim.loops.closures.table_3`.
+    pairs : sequence of Trial
+        From `rlswaim.edition.table_3.trials`.
     within : float
         Half the width of the box, relative to each deflection.
     least : float
@@ -139,9 +131,9 @@ def readings(
         loop = design._replace(sensor=pair.sensor, jet=pair.jet)
         phi = deflections(eqs, loop)
         box = phi + np.maximum(within * np.abs(phi), least) * offsets
-        others = [stiffening(read_so(eqs, loop, reading), pair.case, loop, gains) for reading in box]
+        others = [trial(read_so(eqs, loop, reading), pair.case, loop, gains) for reading in box]
         rates = starting_rates(eqs, loop, box[: len(CORNERS)])
-        level = np.array([VERDICTS.index(p.verdict) for p in (pair, *others)])
+        level = np.array([OUTCOMES.index(p.outcome) for p in (pair, *others)])
         found.append(
             Readings(
                 pair,

@@ -5,10 +5,10 @@ from typing import Any
 
 from rlswaim.edition.conclusions import found_gains
 from rlswaim.edition.matching import printed_roots
+from rlswaim.edition.printed_closures import printed_factors
 from rlswaim.edition.search import winners
 from rlswaim.edition.section_4 import K_C
 from rlswaim.explorers.parameter import Value
-from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
 from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source.tables import read_table
@@ -86,7 +86,7 @@ def _printed(section: str, start: str) -> list[dict[str, Any]]:
     """Return printed roots (1/s), of a pair the upper one, as a preset tells them."""
     if not start:
         return []
-    roots = closures.printed_factors(start) if section == "VII" else printed_roots(section, start).values()
+    roots = printed_factors(start) if section == "VII" else printed_roots(section, start).values()
     return [{"re": r.real, "im": r.imag, "text": as_text([r])} for r in roots]
 
 

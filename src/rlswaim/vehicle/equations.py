@@ -9,7 +9,7 @@ In the Laplace variable s, with alpha, theta in rad and q_1, q_2 in ft::
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 
@@ -17,7 +17,7 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.polynomials import determinant
+from rlswaim.rootlocus.polynomials import determinant, roots
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
 from rlswaim.source.tables import constants
@@ -260,3 +260,21 @@ def printed_equations() -> PerturbationEquations:
         modes=booster.modes,
         source="the report's Eq. 38",
     )
+
+
+def with_reading(
+    eqs: PerturbationEquations, station: float, phi: tuple[float, float]
+) -> PerturbationEquations:
+    """Return the equations with both modes bent to pass through ``phi`` at one more station (ft)."""
+    modes = []
+    for mode, value in zip(eqs.modes, phi, strict=True):
+        at = int(np.searchsorted(mode.stations, station))
+        points = np.insert(mode.stations, at, station), np.insert(mode.deflections, at, value)
+        modes.append(replace(mode, stations=points[0], deflections=points[1]))
+    return replace(eqs, modes=(modes[0], modes[1]))
+
+
+def elastic_poles(eqs: PerturbationEquations) -> list[complex]:
+    """Return the pole above the real axis (1/s) of each bending mode, the first mode's first."""
+    poles = roots(eqs.characteristic_polynomial())
+    return sorted(poles[poles.imag > 1e-6], key=abs)
