@@ -8,9 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-LENGTH = 420.0
-"""Length of the vehicle (ft): stations run from 0 at the nose to this."""
-
 
 def real(what: str, value: object, where: str = "") -> float:
     """Return ``value`` as a finite float.
@@ -48,15 +45,6 @@ def not_negative(what: str, value: object, where: str = "") -> float:
     return number
 
 
-def station(what: str, value: object, where: str = "") -> float:
-    """Return ``value`` as a station in feet; ValueError outside 0..420 ft."""
-    number = real(what, value, where)
-    if not 0 <= number <= LENGTH:
-        place = f" in {where}" if where else ""
-        raise ValueError(f"{what}{place}: got station {number:g} ft, wanted 0 to {LENGTH:g} ft")
-    return number
-
-
 def off_axis(what: str, value: complex, where: str) -> complex:
     """Return ``value`` as a finite complex number off the real axis; ValueError otherwise."""
     if not np.isfinite(value) or not np.imag(value):
@@ -87,31 +75,6 @@ def frozen_array(
         at = int(np.flatnonzero(~np.isfinite(array))[0])
         raise ValueError(f"{what}[{at}]{place}: got {array.flat[at]}, wanted finite numbers")
     array.setflags(write=False)
-    return array
-
-
-def stations(what: str, values: ArrayLike, where: str = "") -> NDArray:
-    """Return ``values`` as stations in feet; ValueError if one lies outside 0..420 ft."""
-    array = frozen_array(what, values, where)
-    outside = np.flatnonzero((array < 0) | (array > LENGTH))
-    if outside.size:
-        at = int(outside[0])
-        place = f" in {where}" if where else ""
-        raise ValueError(f"{what}[{at}]{place}: got station {array.flat[at]:g} ft, wanted 0 to {LENGTH:g} ft")
-    return array
-
-
-def increasing(what: str, values: ArrayLike, where: str = "") -> NDArray:
-    """Return ``values`` as strictly increasing stations in feet; ValueError otherwise."""
-    array = stations(what, values, where)
-    stuck = np.flatnonzero(np.diff(array) <= 0)
-    if stuck.size:
-        at = int(stuck[0]) + 1
-        place = f" in {where}" if where else ""
-        raise ValueError(
-            f"{what}{place}: got {what}[{at}] = {array[at]:g} ft after {array[at - 1]:g} ft, "
-            "wanted increasing stations"
-        )
     return array
 
 

@@ -10,6 +10,7 @@ from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
 from rlswaim.source.tables import column, constants, read_table
 from rlswaim.vehicle.modes import BendingMode, generalized_mass, purified
+from rlswaim.vehicle.stations import as_station, increasing_stations
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class Surface:
     def __post_init__(self) -> None:
         """Check the numbers."""
         where = f"Surface {self.name}"
-        object.__setattr__(self, "station", checks.station("station", self.station, where))
+        object.__setattr__(self, "station", as_station("station", self.station, where))
         object.__setattr__(self, "C_Nalpha", checks.real("C_Nalpha", self.C_Nalpha, where))
 
 
@@ -92,7 +93,7 @@ class Booster:
 
     def __post_init__(self) -> None:
         """Check and freeze the data."""
-        x = checks.increasing("stations", self.stations, self.name)
+        x = increasing_stations("stations", self.stations, self.name)
         masses = checks.frozen_array("masses", self.masses, self.name, x.shape)
         for at, mass in enumerate(masses):
             checks.positive(f"masses[{at}]", float(mass), self.name)
@@ -100,9 +101,9 @@ class Booster:
         object.__setattr__(self, "masses", masses)
         for what in ("M", "I_y", "l_G", "S"):
             object.__setattr__(self, what, checks.positive(what, getattr(self, what), self.name))
-        object.__setattr__(self, "l_CG", checks.station("l_CG", self.l_CG, self.name))
+        object.__setattr__(self, "l_CG", as_station("l_CG", self.l_CG, self.name))
         object.__setattr__(self, "T", checks.not_negative("T", self.T, self.name))
-        checks.station("thrust point l_CG + l_G", self.thrust_station, self.name)
+        as_station("thrust point l_CG + l_G", self.thrust_station, self.name)
         if len(self.modes) != 2:
             raise ValueError(f"modes in {self.name}: got {len(self.modes)}, wanted 2 bending modes")
         checks.instance("flight", self.flight, FlightCondition, self.name)

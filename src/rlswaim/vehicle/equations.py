@@ -23,6 +23,7 @@ from rlswaim.source.quantity import quantity
 from rlswaim.source.tables import constants
 from rlswaim.vehicle.booster import Booster, swaim_booster
 from rlswaim.vehicle.modes import BendingMode
+from rlswaim.vehicle.stations import as_station
 
 ROWS = ("Z", "M", "F1", "F2")
 COLUMNS = ("alpha", "thetadot", "q1dot", "q1", "q2dot", "q2", "delta")
@@ -72,7 +73,7 @@ class PerturbationEquations:
             frozen = {name: checks.real(name, given[name], where) for name in names}
             object.__setattr__(self, what, MappingProxyType(frozen))
         object.__setattr__(self, "U", checks.positive("U", self.U, where))
-        object.__setattr__(self, "l_CG", checks.station("l_CG", self.l_CG, where))
+        object.__setattr__(self, "l_CG", as_station("l_CG", self.l_CG, where))
 
     @cached_property
     def matrix(self) -> NDArray:
@@ -106,7 +107,7 @@ class PerturbationEquations:
         """
         checks.one_of("input", signal, INPUTS, "forcing")
         if signal == "delta_r":
-            station = checks.station("jet", jet, "forcing")
+            station = as_station("jet", jet, "forcing")
             phi = [mode.deflection(station) for mode in self.modes]
             arms = np.array([1.0, station - self.l_CG, -phi[0], -phi[1]])
             return arms * [self.jet[row] for row in ROWS]

@@ -22,6 +22,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
+from rlswaim.vehicle.stations import LENGTH, as_station, as_stations, increasing_stations
 
 
 def _beam_stiffness(x: NDArray) -> NDArray:
@@ -58,7 +59,7 @@ def least_bending_shape(
     CubicHermiteSpline
         The curve on 0..420 ft.
     """
-    x = np.unique([0.0, checks.LENGTH, *deflections, *slopes])
+    x = np.unique([0.0, LENGTH, *deflections, *slopes])
     known = np.concatenate(
         [2 * np.searchsorted(x, list(deflections)), 2 * np.searchsorted(x, list(slopes)) + 1]
     ).astype(int)
@@ -95,8 +96,8 @@ class BendingMode:
     def __post_init__(self) -> None:
         """Check and freeze the data."""
         where = f"BendingMode {self.name}"
-        x = checks.increasing("stations", self.stations, where)
-        at = checks.increasing("slope_stations", self.slope_stations, where)
+        x = increasing_stations("stations", self.stations, where)
+        at = increasing_stations("slope_stations", self.slope_stations, where)
         for what, value in {
             "stations": x,
             "deflections": checks.frozen_array("deflections", self.deflections, where, x.shape),
@@ -145,8 +146,8 @@ class BendingMode:
 
     def _along(self, station: ArrayLike, derivative: int) -> NDArray | float:
         if np.ndim(station) == 0:
-            return float(self.shape(checks.station("station", station, self.name), derivative))
-        return self.shape(checks.stations("station", station, self.name), derivative)
+            return float(self.shape(as_station("station", station, self.name), derivative))
+        return self.shape(as_stations("station", station, self.name), derivative)
 
 
 def generalized_mass(masses: NDArray, first: NDArray, second: NDArray) -> float:
