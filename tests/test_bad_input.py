@@ -182,13 +182,14 @@ def test_the_thrust_point_must_lie_on_the_vehicle():
 
 
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_there_are_two_modes(count):
+def test_there_are_as_many_coefficients_as_the_modes_ask_for(eqs, count):
     modes = (rl.swaim_booster().modes * 2)[:count]
-    refused(ValueError, lambda: replace(rl.swaim_booster(), modes=modes), "modes")
+    refused(ValueError, lambda: replace(eqs, modes=modes), "coefficients", "name")
 
 
 @pytest.mark.parametrize(
-    ("field", "bad"), [("q_D", -1.0), ("U", 0.0), ("U", -1860.0), ("t", -1.0), ("h", np.nan)]
+    ("field", "bad"),
+    [("q_D", -1.0), ("U", 0.0), ("U", -1860.0), ("t", -1.0), ("h", np.nan), ("gamma_0", np.inf)],
 )
 def test_a_flight_condition_must_be_possible(field, bad):
     refused(ValueError, lambda: replace(rl.swaim_booster().flight, **{field: bad}), field, "FlightCondition")

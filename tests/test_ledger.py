@@ -19,7 +19,7 @@ from rlswaim.figures.agreement import draw_differences
 from rlswaim.loops import closures
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import read_table
-from rlswaim.vehicle.equations import with_reading
+from rlswaim.vehicle.equations import printed_coefficients, with_reading
 
 LEDGER = rl.ledger()
 ENTRIES = {entry.id: entry for entry in LEDGER}
@@ -159,9 +159,8 @@ def test_zeros_of_both_sensors_are_off_by_one_quadratic():
 
 def half_units():
     return [
-        (row["symbol"], 0.5 * 10.0 ** int(Decimal(row["value"]).as_tuple().exponent))
-        for row in read_table("equations_as_printed")
-        if row["symbol"] in EQS.coefficients
+        (name, 0.5 * 10.0 ** int(Decimal(text).as_tuple().exponent))
+        for name, text in printed_coefficients().items()
     ]
 
 

@@ -17,7 +17,7 @@ from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source import checks
 from rlswaim.source.tables import constants, half_unit, read_table
 from rlswaim.vehicle.booster import Booster
-from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
+from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_coefficients
 
 
 class Margin(NamedTuple):
@@ -64,11 +64,9 @@ def constant_term(eqs: PerturbationEquations) -> tuple[float, float]:
     """Return N of theta/delta at s = 0, and how far the last printed digits of Eq. 38 can move it."""
     here = eqs.numerator("theta", "delta")[0]
     total = 0.0
-    for row in read_table("equations_as_printed"):
-        name = row["symbol"]
-        if name in eqs.coefficients:
-            moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half_unit(row["value"])}
-            total += abs(replace(eqs, coefficients=moved).numerator("theta", "delta")[0] - here)
+    for name, text in printed_coefficients().items():
+        moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half_unit(text)}
+        total += abs(replace(eqs, coefficients=moved).numerator("theta", "delta")[0] - here)
     return float(here), float(total)
 
 

@@ -22,7 +22,7 @@ from rlswaim.loops.systems import dual_actuation, rate_attitude
 from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source import checks
 from rlswaim.source.tables import constants, half_unit, printed, read_table
-from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations
+from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations, printed_coefficients
 
 Reduce = Callable[[NDArray, list[str]], NDArray]
 
@@ -113,8 +113,7 @@ def sensitivity(loop: Family) -> NDArray:
 
 def half_units() -> NDArray:
     """Return half a unit of the last printed digit of each coefficient, shape (28,)."""
-    text = {row["symbol"]: row["value"] for row in read_table("equations_as_printed")}
-    return np.array([half_unit(text[name]) for name in COEFFICIENTS])
+    return np.array([half_unit(text) for text in printed_coefficients().values()])
 
 
 def monte_carlo(loop: Family, samples: int = 2000, seed: int = 1964) -> NDArray:

@@ -10,7 +10,8 @@ from rlswaim.loops.closures import JetLoop, closure_1
 from rlswaim.rootlocus.locus import RootLocus, root_locus
 from rlswaim.source import checks
 from rlswaim.source.tables import column
-from rlswaim.vehicle.equations import PerturbationEquations, elastic_poles
+from rlswaim.vehicle.coupling import elastic_poles
+from rlswaim.vehicle.equations import PerturbationEquations
 
 
 class Trial(NamedTuple):

@@ -18,7 +18,8 @@ from rlswaim.edition.printed_closures import final_design
 from rlswaim.edition.table_3 import OUTCOMES, Trial, gains_to, trial
 from rlswaim.loops.closures import JetLoop, literal_bracket
 from rlswaim.source import checks
-from rlswaim.vehicle.equations import PerturbationEquations, elastic_poles, with_reading
+from rlswaim.vehicle.coupling import elastic_poles
+from rlswaim.vehicle.equations import PerturbationEquations, with_reading
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 """Corners of the box of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""

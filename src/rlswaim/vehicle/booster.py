@@ -11,6 +11,7 @@ from rlswaim.source.quantity import quantity
 from rlswaim.source.tables import column, constants, read_table
 from rlswaim.vehicle.modes import BendingMode, generalized_mass, purified
 from rlswaim.vehicle.stations import as_station, increasing_stations
+from rlswaim.vehicle.trajectory import level_at_burnout, swaim_ascent
 
 
 @dataclass(frozen=True)
@@ -27,6 +28,13 @@ class FlightCondition:
     U: float = quantity("U", "ft/s", "undisturbed speed along the x axis", "Section II, Figure 4")
     h: float = quantity("h", "ft", "altitude", "Section II, Figure 3")
     t: float = quantity("t", "s", "time from launch", "Section II")
+    gamma_0: float | None = quantity(
+        "gamma_0",
+        "rad",
+        "angle of the flight path; None where it is not known",
+        "Section II; the pitch program is the book's",
+        default=None,
+    )
 
     def __post_init__(self) -> None:
         """Check the numbers."""
@@ -35,6 +43,21 @@ class FlightCondition:
         object.__setattr__(self, "U", checks.positive("U", self.U, where))
         object.__setattr__(self, "h", checks.real("h", self.h, where))
         object.__setattr__(self, "t", checks.not_negative("t", self.t, where))
+        if self.gamma_0 is not None:
+            object.__setattr__(self, "gamma_0", checks.real("gamma_0", self.gamma_0, where))
+
+    @property
+    def weight_across(self) -> float:
+        """The weight across the path over the mass, g sin gamma_0 (ft/s^2) [Eq. 1].
+
+        Raises
+        ------
+        ValueError
+            If gamma_0 is not known.
+        """
+        if self.gamma_0 is None:
+            raise ValueError("gamma_0 in FlightCondition: got None, wanted the angle of the path (rad)")
+        return float(constants("vehicle")["g"] * np.sin(self.gamma_0))
 
 
 @dataclass(frozen=True)
@@ -71,7 +94,7 @@ class Booster:
     ------
     ValueError
         If a mass, the inertia, the area or an arm is not positive, the thrust
-        is negative, a station lies outside 0..420 ft, or there are not two modes.
+        is negative or a station lies outside 0..420 ft.
     """
 
     stations: NDArray = quantity("l", "ft", "stations of the concentrated masses", "Table 1")
@@ -104,8 +127,6 @@ class Booster:
         object.__setattr__(self, "l_CG", as_station("l_CG", self.l_CG, self.name))
         object.__setattr__(self, "T", checks.not_negative("T", self.T, self.name))
         as_station("thrust point l_CG + l_G", self.thrust_station, self.name)
-        if len(self.modes) != 2:
-            raise ValueError(f"modes in {self.name}: got {len(self.modes)}, wanted 2 bending modes")
         checks.instance("flight", self.flight, FlightCondition, self.name)
         for what, parts, kind in (("modes", self.modes, BendingMode), ("surfaces", self.surfaces, Surface)):
             for at, part in enumerate(parts):
@@ -132,21 +153,23 @@ class Booster:
         modes = tuple(replace(mode, mass=self._sum_m_phi_squared(mode)) for mode in self.modes)
         return replace(self, M=total, l_CG=centre, I_y=inertia, modes=modes, l_G=self.thrust_station - centre)
 
-    def orthogonalized(self, second_first: bool = False) -> Self:
+    def orthogonalized(self, last_first: bool = False) -> Self:
         """Return the booster with modes that are orthogonal to rigid motion and to each other.
 
-        Parts along translation, rotation and the other mode are taken off by projection, the masses as
-        weights (Gram and Schmidt); the first mode, or with ``second_first`` the second, loses the rigid
+        Parts along translation, rotation and the modes before are taken off by projection, the masses as
+        weights (Gram and Schmidt); the first mode, or with ``last_first`` the last, loses the rigid
         parts alone.  Frequencies, damping ratios, phi = 1 at the thrust point and all data but the modes'
         are kept; generalized masses are the sums for the new shapes.
         """
         found: dict[int, BendingMode] = {}
-        for at in (1, 0) if second_first else (0, 1):
+        order = range(len(self.modes))
+        for at in reversed(order) if last_first else order:
             mode = purified(self.modes[at], self.stations, self.masses, list(found.values()))
             one = mode.deflection(self.thrust_station)
             mode = replace(mode, deflections=mode.deflections / one, slopes=mode.slopes / one)
             found[at] = replace(mode, mass=self._sum_m_phi_squared(mode))
-        return replace(self, modes=(found[0], found[1]), name=f"{self.name}, modes orthogonalized")
+        modes = tuple(found[at] for at in order)
+        return replace(self, modes=modes, name=f"{self.name}, modes orthogonalized")
 
     def _sum_m_phi_squared(self, mode: BendingMode) -> float:
         phi = np.asarray(mode.deflection(self.stations))
@@ -199,5 +222,8 @@ def swaim_booster() -> Booster:
         T=data["T"],
         surfaces=surfaces,
         modes=(_mode(1), _mode(2)),
-        flight=FlightCondition(**{symbol: data[symbol] for symbol in ("q_D", "U", "h", "t")}),
+        flight=FlightCondition(
+            **{symbol: data[symbol] for symbol in ("q_D", "U", "h", "t")},
+            gamma_0=level_at_burnout(swaim_ascent())(data["t"]),
+        ),
     )

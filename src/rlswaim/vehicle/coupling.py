@@ -15,7 +15,7 @@ import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus
-from rlswaim.rootlocus.polynomials import determinant
+from rlswaim.rootlocus.polynomials import determinant, roots
 from rlswaim.source.tables import read_table
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
@@ -150,6 +150,12 @@ def dynamic_pressure_locus(booster: Booster, values: ArrayLike) -> RootLocus:
         return perturbation_equations(varied).state_space()
 
     return parameter_locus(vehicle, values)
+
+
+def elastic_poles(eqs: PerturbationEquations) -> list[complex]:
+    """Return the pole above the real axis (1/s) of each bending mode, the first mode's first."""
+    poles = roots(eqs.characteristic_polynomial())
+    return sorted(poles[poles.imag > 1e-6], key=abs)
 
 
 def doubling_time(pole: float) -> float:

@@ -14,7 +14,7 @@ book gives the figures.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import overload
+from typing import Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -132,6 +132,24 @@ class BendingMode:
     def slope(self, station: float | NDArray | Sequence[float]) -> NDArray | float:
         """Return sigma = -d phi/d l (1/ft) at a station or more; ValueError outside 0..420 ft [Eq. 19]."""
         return -self._along(station, 1)
+
+    def through(self, station: float, value: float) -> Self:
+        """Return the mode bent to pass through one more deflection.
+
+        Parameters
+        ----------
+        station : float
+            In ft, away from the stations of the mode's own deflections.
+        value : float
+            Deflection there.
+
+        Returns
+        -------
+        BendingMode
+        """
+        at = int(np.searchsorted(self.stations, station))
+        stations = np.insert(self.stations, at, station)
+        return replace(self, stations=stations, deflections=np.insert(self.deflections, at, value))
 
     def withheld_slopes(self, all_at_once: bool = False) -> NDArray:
         """Return sigma (1/ft) at the printed slope stations when the shape has not been told of it there.

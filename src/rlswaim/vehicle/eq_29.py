@@ -1,0 +1,271 @@
+"""Eq. 29 as one matrix formula, for any number of bending modes: names, coefficients, terms.
+
+A downward force at a station enters each equation by its lever there, and each motion moves the air
+there by its incidence.  Both are shapes of the vehicle::
+
+    equation   Z   M          F_i         motion      alpha   thetadot         q_i dot    q_i
+    lever      1   l - l_CG   -phi_i      incidence   1       (l - l_CG)/U     -phi_i/U   sigma_i
+
+The air's part of a coefficient is the sum over the surfaces of lever times q_D S C_N times incidence,
+over the inertia of its equation (M, I_y, m_i).  Thrust and structure add their own parts.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.modes import BendingMode
+
+
+class Shaped(NamedTuple):
+    """A sign and the name of a shape: ``one``, ``arm`` (l - l_CG, ft), ``phi_i`` or ``sigma_i`` (1/ft)."""
+
+    sign: float
+    shape: str
+
+
+class Product(NamedTuple):
+    """A number times some factors, which are known by name."""
+
+    weight: float
+    factors: tuple[str, ...]
+
+
+def row_names(modes: int) -> tuple[str, ...]:
+    """Return the names of the equations, Z, M, F1 and so on, for a number of ``modes``."""
+    return ("Z", "M", *(f"F{i + 1}" for i in range(modes)))
+
+
+def motion_names(modes: int) -> tuple[str, ...]:
+    """Return the motions with a coefficient, alpha, thetadot, q1dot, q1 and so on, for so many ``modes``."""
+    return ("alpha", "thetadot", *(f"q{i + 1}{rate}" for i in range(modes) for rate in ("dot", "")))
+
+
+def output_names(modes: int) -> tuple[str, ...]:
+    """Return the unknowns, alpha, theta, q1 and so on, for a number of ``modes``."""
+    return ("alpha", "theta", *(f"q{i + 1}" for i in range(modes)))
+
+
+def state_names(modes: int) -> tuple[str, ...]:
+    """Return the states: alpha, and each other unknown with its rate, for a number of ``modes``."""
+    moving = (name + rate for name in output_names(modes)[1:] for rate in ("", "dot"))
+    return ("alpha", *moving)
+
+
+def coefficient_names(modes: int) -> tuple[str, ...]:
+    """Return the names of the coefficients of Eq. 29 for a number of ``modes``, row by row."""
+    columns = (*motion_names(modes), "delta")
+    return tuple(f"{row}_{column}" for row in row_names(modes) for column in columns)
+
+
+def levers(modes: int) -> dict[str, Shaped]:
+    """Return how a downward force enters each equation, by its row, for a number of ``modes``."""
+    own = {f"F{i + 1}": Shaped(-1.0, f"phi_{i + 1}") for i in range(modes)}
+    return {"Z": Shaped(1.0, "one"), "M": Shaped(1.0, "arm"), **own}
+
+
+def incidences(modes: int) -> dict[str, Shaped]:
+    """Return how each motion moves the air, by its column; a rate (``...dot``) counts over U [Eq. 21].
+
+    Parameters
+    ----------
+    modes : int
+    """
+    found = {"alpha": Shaped(1.0, "one"), "thetadot": Shaped(1.0, "arm")}
+    for i in range(1, modes + 1):
+        found |= {f"q{i}dot": Shaped(-1.0, f"phi_{i}"), f"q{i}": Shaped(1.0, f"sigma_{i}")}
+    return found
+
+
+def shapes(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> dict[str, ArrayLike]:
+    """Return every shape of a vehicle at a station, or at several.
+
+    Parameters
+    ----------
+    modes : sequence of BendingMode
+    l_CG : float
+        Station of the center of gravity (ft).
+    stations : float or ndarray, shape (S,)
+        In ft.
+
+    Returns
+    -------
+    dict of str to float or ndarray, shape (S,)
+        By the names that `Shaped` uses.
+    """
+    found: dict[str, ArrayLike] = {"one": 0.0 * stations + 1.0, "arm": stations - l_CG}
+    for i, mode in enumerate(modes, start=1):
+        found |= {f"phi_{i}": mode.deflection(stations), f"sigma_{i}": mode.slope(stations)}
+    return found
+
+
+def lever_matrix(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> NDArray:
+    """Return the lever of a force in each equation.
+
+    Parameters
+    ----------
+    modes : sequence of BendingMode
+    l_CG : float
+        Station of the center of gravity (ft).
+    stations : float or ndarray, shape (S,)
+        Where the force acts (ft).
+
+    Returns
+    -------
+    ndarray, shape (rows,) or (rows, S)
+    """
+    at = shapes(modes, l_CG, stations)
+    return np.array([sign * np.asarray(at[shape]) for sign, shape in levers(len(modes)).values()])
+
+
+def incidence_matrix(booster: Booster, stations: NDArray) -> NDArray:
+    """Return the incidence that each motion brings [Eq. 21].
+
+    Parameters
+    ----------
+    booster : Booster
+    stations : ndarray, shape (S,)
+        Where it is wanted (ft).
+
+    Returns
+    -------
+    ndarray, shape (motions, S)
+    """
+    at, U = shapes(booster.modes, booster.l_CG, stations), booster.flight.U
+    return np.array(
+        [
+            sign * np.asarray(at[shape]) / (U if motion.endswith("dot") else 1.0)
+            for motion, (sign, shape) in incidences(len(booster.modes)).items()
+        ]
+    )
+
+
+def inertias(booster: Booster) -> NDArray:
+    """Return the inertia of each equation, M, I_y and the generalized masses: shape (rows,)."""
+    return np.array([booster.M, booster.I_y, *(mode.mass for mode in booster.modes)])
+
+
+def air(booster: Booster) -> NDArray:
+    """Return the air's part of a booster's coefficients: inertia^-1 lever diag(q_D S C_N) incidence^T.
+
+    Returns
+    -------
+    ndarray, shape (rows, motions)
+    """
+    stations = np.array([surface.station for surface in booster.surfaces])
+    C_N = np.array([surface.C_Nalpha for surface in booster.surfaces])
+    lever = lever_matrix(booster.modes, booster.l_CG, stations)
+    incidence = incidence_matrix(booster, stations)
+    force = booster.flight.q_D * booster.S / inertias(booster)
+    return force[:, None] * np.einsum("rs,cs->rc", C_N * lever, incidence)
+
+
+def thrust(booster: Booster) -> NDArray:
+    """Return the thrust's part of the coefficients, shape (rows, motions and delta) [Eqs. 14 to 17].
+
+    It turns with the vehicle's end, by -sigma_i(G) q_i, and with delta; and it acts beside the center of
+    gravity by phi_i(G) q_i.
+    """
+    count, G = len(booster.modes), booster.thrust_station
+    force = booster.T / inertias(booster)
+    across = force * lever_matrix(booster.modes, booster.l_CG, G)
+    found = np.zeros((2 + count, 3 + 2 * count))
+    for i, mode in enumerate(booster.modes):
+        found[:, 3 + 2 * i] = across * mode.slope(G)
+        found[1, 3 + 2 * i] += force[1] * mode.deflection(G)
+    found[:, -1] = -across
+    return found
+
+
+def structure(booster: Booster) -> NDArray:
+    """Return the structure's part, shape (rows, motions): 2 zeta_i omega_i and omega_i^2 of each mode."""
+    count = len(booster.modes)
+    found = np.zeros((2 + count, 2 + 2 * count))
+    for i, mode in enumerate(booster.modes):
+        found[2 + i, 2 + 2 * i : 4 + 2 * i] = 2 * mode.zeta * mode.omega, mode.omega**2
+    return found
+
+
+def coefficients(booster: Booster) -> dict[str, float]:
+    """Return every coefficient of Eq. 29 by name, from a vehicle's data."""
+    found = thrust(booster)
+    found[:, :-1] = air(booster) + found[:, :-1] + structure(booster)
+    return dict(zip(coefficient_names(len(booster.modes)), found.ravel().tolist(), strict=True))
+
+
+class Entry(NamedTuple):
+    """One term of the matrix of Eq. 29: a weight times a coefficient, or alone, times a power of s."""
+
+    row: int
+    column: int
+    power: int
+    weight: float
+    coefficient: str = ""
+
+
+def entries(modes: int, U: float, gravity: float = 0.0) -> Iterator[Entry]:
+    """Yield the terms that the matrix of Eq. 29 is the sum of.
+
+    Parameters
+    ----------
+    modes : int
+        Number of bending modes.
+    U : float
+        Speed (ft/s).
+    gravity : float
+        Weight across the path, g sin gamma_0 (ft/s^2): Eq. 1's own term, which Eq. 29 leaves out.
+
+    Yields
+    ------
+    Entry
+    """
+    for i, row in enumerate(row_names(modes)):
+        yield Entry(i, 0, 0, 1.0, f"{row}_alpha")
+        yield Entry(i, 1, 1, 1.0, f"{row}_thetadot")
+        for j, q in enumerate(output_names(modes)[2:], start=2):
+            yield Entry(i, j, 0, 1.0, f"{row}_{q}")
+            yield Entry(i, j, 1, 1.0, f"{row}_{q}dot")
+        yield Entry(i, i, 2 if i else 1, 1.0 if i else U)
+    yield Entry(0, 1, 1, -U)
+    yield Entry(0, 1, 0, gravity)
+
+
+def products(booster: Booster) -> dict[str, tuple[Product, ...]]:
+    """Return each coefficient of a motion as a sum of products, for vehicles that differ in some data.
+
+    Parameters
+    ----------
+    booster : Booster
+        Masses, thrust, shapes, damping ratios and speed stay its own.
+
+    Returns
+    -------
+    dict of str to tuple of Product
+        Factors: q_D, C_<surface>, omega_i, and ``<shape>_<surface>`` with the shapes of `Shaped`.
+    """
+    count, U = len(booster.modes), booster.flight.U
+    own = dict(zip(coefficient_names(count), thrust(booster).ravel().tolist(), strict=True))
+    spring: Mapping[str, tuple[Product, ...]] = {
+        f"F{i}_q{i}{rate}": (product,)
+        for i, mode in enumerate(booster.modes, start=1)
+        for rate, product in {
+            "dot": Product(2 * mode.zeta, (f"omega_{i}",)),
+            "": Product(1.0, (f"omega_{i}",) * 2),
+        }.items()
+    }
+    found = {}
+    for (row, lever), inertia in zip(levers(count).items(), inertias(booster).tolist(), strict=True):
+        for motion, incidence in incidences(count).items():
+            weight = booster.S / inertia * lever.sign * incidence.sign
+            weight /= U if motion.endswith("dot") else 1.0
+            shaped = [shape for shape in (lever.shape, incidence.shape) if shape != "one"]
+            lift = (
+                Product(weight, ("q_D", f"C_{s.name}", *(f"{shape}_{s.name}" for shape in shaped)))
+                for s in booster.surfaces
+            )
+            name = f"{row}_{motion}"
+            found[name] = (Product(own[name], ()), *spring.get(name, ()), *lift)
+    return found
