@@ -11,7 +11,7 @@ from scipy.optimize import linear_sum_assignment
 import rlswaim as rl
 from rlswaim.edition import (
     consistent_vehicles,
-    corrected_paths,
+    corrected_loops,
     printed_closures,
     section_5,
     section_6,
@@ -52,7 +52,7 @@ def upper(found):
 
 
 def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
-    pair = corrected_paths.coupling_loops(EQS)
+    pair = corrected_loops.coupling_loops(EQS)
     eq_40 = [1.08, -1.28, complex(-0.0387 / 2, np.sqrt(1.813 - 0.0387**2 / 4))]
     assert contains(at(pair["corrected"], 1), eq_40, 0.004)
     mixed = at(pair["report"], 1)
@@ -62,7 +62,7 @@ def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
 
 
 def test_without_coupling_both_scales_start_alike():
-    first, second = (np.sort_complex(at(loop, 0)) for loop in corrected_paths.coupling_loops(EQS).values())
+    first, second = (np.sort_complex(at(loop, 0)) for loop in corrected_loops.coupling_loops(EQS).values())
     np.testing.assert_allclose(first, second, atol=1e-3)
 
 
@@ -70,7 +70,7 @@ def test_without_coupling_both_scales_start_alike():
 
 
 def test_each_rigid_loop_has_the_wanted_short_period_at_its_own_gain_alone():
-    pair = corrected_paths.rigid_loops(EQS)
+    pair = corrected_loops.rigid_loops(EQS)
     assert np.abs(at(pair["report"], K_A) - WANTED).min() < 0.01
     assert np.abs(at(pair["corrected"], RIGHT.K_A) - WANTED).min() < 0.01
     assert np.abs(at(pair["corrected"], K_A) - WANTED).min() > 1.5
@@ -139,7 +139,7 @@ def test_outer_loop_of_section_v_both_ways():
 
 
 def test_closure_2_both_ways():
-    pair = corrected_paths.closure_2_loops(EQS)
+    pair = corrected_loops.closure_2_loops(EQS)
     report, corrected = (at(loop, 1) for loop in pair.values())
     assert min(report.real) == pytest.approx(-1.115e7, rel=1e-3)
     printed = printed_closures.printed_factors("text-closure2-")
@@ -248,7 +248,7 @@ def test_what_orthogonal_modes_leave_of_section_iii():
 def test_far_locus_shows_every_root():
     with mpl.rc_context():
         fig, ax = plt.subplots()
-        loop = corrected_paths.closure_2_loops(EQS)["report"]
+        loop = corrected_loops.closure_2_loops(EQS)["report"]
         locus = root_locus(loop, np.concatenate([[0.0], np.geomspace(1e-12, 1, 60)]))
         draw_far_locus(ax, locus, locus.roots[-1], printed_closures.printed_factors("text-closure2-"))
         closed = next(line for line in ax.lines if line.get_label() == "closed loop, computed")

@@ -172,7 +172,7 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Fam
     return loops | {"closure 2": closure(1.0, zeros_of_theta), "closure 3": closure(K_A)}
 
 
-def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
+def root_spreads(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
     """Return what the printed digits say of each root of some ``loops``, one row for a real root or a pair.
 
     Returns
@@ -209,7 +209,7 @@ def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
 
 
 def as_texts(rows: pd.DataFrame) -> pd.DataFrame:
-    """Return the ``rows`` of `table` as texts for a page, with numbers in percent."""
+    """Return the ``rows`` of `root_spreads` as texts for a page, with numbers in percent."""
     latex = {row["symbol"]: f"${row['latex']}$" for row in read_table("coefficients")}
     percent = {
         "spread (%)": "spread",

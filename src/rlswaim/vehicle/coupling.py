@@ -163,6 +163,24 @@ def doubling_time(pole: float) -> float:
     return float(np.log(2) / pole)
 
 
+def mirrored_damping(booster: Booster, F2_q1dot: float) -> float:
+    """Return the F1_q2dot (1/s) that belongs to an F2_q1dot.
+
+    Both are one aerodynamic sum, over the generalized mass of their own equation.
+
+    Parameters
+    ----------
+    booster : Booster
+    F2_q1dot : float
+        In 1/s.
+
+    Returns
+    -------
+    float
+    """
+    return F2_q1dot * booster.modes[1].mass / booster.modes[0].mass
+
+
 def gust_response(eqs: PerturbationEquations, times: ArrayLike, alpha_g: float, modes: int = 2) -> NDArray:
     """Return theta (rad) at ``times`` (s), shape (N,), after a gust ``alpha_g`` (rad); 0, 1 or 2 modes."""
     vehicle, n = eqs.state_space(), 3 + 2 * modes

@@ -17,10 +17,10 @@ from rlswaim.source.tables import printed
 from rlswaim.vehicle.coupling import partition
 from rlswaim.vehicle.equations import PerturbationEquations
 
-Paths = dict[str, control.TransferFunction]
+Loops = dict[str, control.TransferFunction]
 
 
-def coupling_loops(eqs: PerturbationEquations) -> Paths:
+def coupling_loops(eqs: PerturbationEquations) -> Loops:
     """Return coupling over uncoupled part of Eq. 42: the gain is the strength of the coupling, 1 in flight.
 
     The report compares Eq. 51, not over U, with Eq. 50, over U, as if both had one scale.
@@ -39,7 +39,7 @@ def _rigid_loop(body: RigidBody, K_R: float) -> control.TransferFunction:
     return transfer(top, np.convolve([K_C, 1.0], [0.0, body.c_0, body.c_1, 1.0]))
 
 
-def rigid_loops(eqs: PerturbationEquations) -> Paths:
+def rigid_loops(eqs: PerturbationEquations) -> Loops:
     """Return the rigid body's attitude loop for K_A = 1: Eq. 61 as printed, and all of it over U."""
     p = printed("IV")
     as_printed = RigidBody(**{name: p[f"eq61-{name}"] for name in ("c_0", "c_1", "g_0", "g_1")})
@@ -47,7 +47,7 @@ def rigid_loops(eqs: PerturbationEquations) -> Paths:
     return {name: _rigid_loop(body, p["eq75-K_R"]) for name, body in bodies.items()}
 
 
-def closure_2_loops(eqs: PerturbationEquations) -> Paths:
+def closure_2_loops(eqs: PerturbationEquations) -> Loops:
     """Return closure 2's open loop, closed at gain 1: Eq. 136 as printed, and with theta/delta_r."""
     return {
         "report": printed_closure_2(),
