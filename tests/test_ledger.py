@@ -166,8 +166,9 @@ def half_units():
 
 def section_iv(eqs):
     """Return what Section IV gets from the coefficients of Eq. 38."""
-    loops = section_4._closed_loops(eqs, section_4.printed("IV"))
-    return loops | section_4._polynomial(eqs) | section_4._transfer_functions(eqs)
+    p = section_4.printed("IV")
+    loops = section_4._closed_loops(eqs, p)
+    return loops | section_4._polynomial(eqs, p) | section_4._transfer_functions(eqs, p)
 
 
 @cache
@@ -196,7 +197,7 @@ def test_small_real_part_in_eq_136():
     entry, loop = ENTRIES["eq136-zero-c2-re"], printed_closures.final_design()[0]
 
     def part(eqs):
-        read = with_reading(eqs, loop.sensor, causes.READ[39])
+        read = with_reading(eqs, loop.sensor, causes.read_off()[39])
         zeros = roots(closures.elastic_numerator(read, "delta", loop)[:6])
         return zeros[zeros.imag > 0][0].real
 

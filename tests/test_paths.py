@@ -19,7 +19,7 @@ from rlswaim.edition import (
     table_3_readings,
 )
 from rlswaim.edition.matching import printed_roots
-from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C, WANTED, closed_loop_roots
+from rlswaim.edition.section_4 import CLOSED_LOOPS, WANTED, closed_loop_roots
 from rlswaim.figures.paths import draw_far_locus, draw_readings
 from rlswaim.loops import closures, transfer_functions
 from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
@@ -28,7 +28,7 @@ from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle import trajectory
 
 EQS, BOOSTER = rl.printed_equations(), rl.swaim_booster()
-K_A, K_R = 0.0016, 0.618
+K_A, K_C, K_R = 0.0016, 10.0, 0.618
 RIGHT = rigid_design(rigid_body(EQS), omega=2.0, zeta=0.5, K_C=K_C)
 JET, KK_Z = printed_closures.final_design()
 
@@ -125,7 +125,7 @@ def test_poles_of_eq_118_follow_from_the_printed_zeros_alone():
 
 def test_outer_loop_of_section_v_both_ways():
     report = section_5.printed_outer_loop()
-    corrected = transfer_functions.outer_loop(EQS, K_C, section_5.K_R, [(section_5.K_Z, section_5.SENSOR)])
+    corrected = transfer_functions.outer_loop(EQS, K_C, 0.625, [(0.054, 140.0)])
     gain, _ = section_5.nearest_gain(report, WANTED, np.geomspace(1, 1000, 3001))
     assert gain == pytest.approx(154, abs=0.5)
     assert np.abs(at(report, gain) - WANTED).min() == pytest.approx(0.01, abs=0.002)

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_continuous_lyapunov
 
+from rlswaim.edition.designs import found_gains
 from rlswaim.edition.search import abscissas, search, slow_bound, slow_roots
 from rlswaim.loops import family
 from rlswaim.loops.certificates import slow_root_certificate
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, half_unit, read_table
+from rlswaim.source.tables import constants, half_unit
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_coefficients
 
@@ -31,13 +32,6 @@ def margin(poles: NDArray) -> Margin:
     """Return how stable a closed loop is, a slow real root set apart; poles in 1/s, shape (n,)."""
     one = np.asarray(poles)[None]
     return Margin(float(abscissas(one, apart=True)[0]), float(slow_roots(one)[0]))
-
-
-def found_gains(system: str) -> dict[str, float]:
-    """Return the gains and stations of a ``system`` (``dual_actuation``) that were found by hand."""
-    rows = read_table("gains_found")
-    checks.one_of("system", system, {r["system"] for r in rows}, "found_gains")
-    return {r["parameter"]: float(r["value"]) for r in rows if r["system"] == system}
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:

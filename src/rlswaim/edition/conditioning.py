@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim.edition.printed_closures import final_design
-from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C
+from rlswaim.edition.section_4 import CLOSED_LOOPS
 from rlswaim.loops.systems import dual_actuation, rate_attitude
 from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, half_unit, printed, read_table
+from rlswaim.source.tables import half_unit, printed, read_table
 from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations, printed_coefficients
 
 Reduce = Callable[[NDArray, list[str]], NDArray]
@@ -152,10 +152,10 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Fam
     K_A : float
         Amplifier gain of closure 3, for which the report names none; the other gains are printed.
     """
-    number, chosen, (jet, kK_z) = printed("IV"), constants("section_7"), final_design()
+    number, chosen, (jet, kK_z) = printed("IV"), printed("VII", "fig25-"), final_design()
 
     def attitude(gyro: float | None, gain: float, reduce: Reduce = WHOLE) -> Family:
-        K_R = number["eq75-K_R"]
+        K_C, K_R = number["fig8-K_C"], number["eq75-K_R"]
         return family(eqs, lambda e: rate_attitude(e, K_A=gain, K_C=K_C, K_R=K_R, gyro=gyro), reduce)
 
     def closure(gain: float, reduce: Reduce = WHOLE) -> Family:

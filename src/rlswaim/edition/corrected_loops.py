@@ -9,7 +9,6 @@ import control
 import numpy as np
 
 from rlswaim.edition.printed_closures import final_design, printed_closure_2
-from rlswaim.edition.section_4 import K_C
 from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import RigidBody, rigid_body
 from rlswaim.loops.transfer_functions import transfer
@@ -34,7 +33,7 @@ def coupling_loops(eqs: PerturbationEquations) -> Loops:
     }
 
 
-def _rigid_loop(body: RigidBody, K_R: float) -> control.TransferFunction:
+def _rigid_loop(body: RigidBody, K_C: float, K_R: float) -> control.TransferFunction:
     top = K_C * np.convolve([1.0, K_R], [body.g_0, body.g_1])
     return transfer(top, np.convolve([K_C, 1.0], [0.0, body.c_0, body.c_1, 1.0]))
 
@@ -44,7 +43,7 @@ def rigid_loops(eqs: PerturbationEquations) -> Loops:
     p = printed("IV")
     as_printed = RigidBody(**{name: p[f"eq61-{name}"] for name in ("c_0", "c_1", "g_0", "g_1")})
     bodies = {"report": as_printed, "corrected": rigid_body(eqs)}
-    return {name: _rigid_loop(body, p["eq75-K_R"]) for name, body in bodies.items()}
+    return {name: _rigid_loop(body, p["fig8-K_C"], p["eq75-K_R"]) for name, body in bodies.items()}
 
 
 def closure_2_loops(eqs: PerturbationEquations) -> Loops:

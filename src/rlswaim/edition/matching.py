@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.source.tables import printed
+from rlswaim.source.tables import printed, printed_rows
 from rlswaim.vehicle.equations import PerturbationEquations
 
 KINDS = {
@@ -30,6 +30,12 @@ def as_written(eqs: PerturbationEquations, *starts: str) -> dict[str, float]:
     """Return the entries of Eq. 38's matrix and thrust column, for each start of ids in ``starts``."""
     entries = {**eqs.coefficients, "Z_thetadot": eqs.coefficients["Z_thetadot"] - eqs.U, "U": eqs.U}
     return {f"{start}{name}": value for start in starts for name, value in entries.items()}
+
+
+def choices(section: str) -> dict[str, float]:
+    """Return the gains and stations that a ``section`` chooses and that the computations take from it."""
+    chosen = {row["id"] for row in printed_rows(section) if row["quantity"].endswith("(a choice)")}
+    return {name: number for name, number in printed(section).items() if name in chosen}
 
 
 def _root(kinds: dict[str, float]) -> complex:

@@ -7,13 +7,13 @@ from numpy.polynomial import polynomial as npp
 from rlswaim.loops.closures import JetLoop
 from rlswaim.loops.transfer_functions import from_factors
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, printed
+from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import PerturbationEquations
 
 
 def final_design() -> tuple[JetLoop, float]:
     """Return the jet's loop of Figures 24 and 25 and its gain k K_z (lb s/ft)."""
-    chosen = constants("section_7")
+    chosen = printed("VII", "fig25-")
     return JetLoop(*(chosen[name] for name in ("K_r", "b", "sensor", "jet"))), chosen["kK_z"]
 
 

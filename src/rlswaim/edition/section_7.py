@@ -5,12 +5,12 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from rlswaim.edition import table_3
-from rlswaim.edition.matching import as_written
+from rlswaim.edition.matching import as_written, choices
 from rlswaim.edition.printed_closures import final_design, printed_closure_2, printed_factors
 from rlswaim.loops import closures
 from rlswaim.loops.transfer_functions import closed_polynomial
 from rlswaim.rootlocus.polynomials import roots
-from rlswaim.source.tables import constants, printed
+from rlswaim.source.tables import printed
 from rlswaim.vehicle.booster import swaim_booster
 from rlswaim.vehicle.equations import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 
@@ -91,7 +91,7 @@ def _closures(eqs: PerturbationEquations) -> dict[str, float]:
 def _text(eqs: PerturbationEquations) -> dict[str, float]:
     """Return what the text counts and says of Table 3 and of Figures 24 and 25."""
     loop, kK_z = final_design()
-    chosen, pairs = constants("section_7"), table_3.trials(eqs)
+    chosen, pairs = printed("VII", "fig25-"), table_3.trials(eqs)
     poles = roots(closures.closed_1(eqs, loop, kK_z))[1:]
     third = closures.closure_3(eqs, loop, kK_z, chosen["K_C"], chosen["K_R"])
     closed = roots(closed_polynomial(third))
@@ -103,8 +103,7 @@ def _text(eqs: PerturbationEquations) -> dict[str, float]:
         "text-elastic": float(np.sum(poles.imag > 0)),
         "text-short": float(np.sum(pseudo)),
         "text-unstable": float(np.sum(closed.real > 0)),
-        **{f"fig24-{name}": chosen[name] for name in ("K_r", "b", "sensor", "jet")},
-        **{f"fig25-{name}": value for name, value in chosen.items()},
+        **choices("VII"),
         "text-kK_z": kK_z,
     }
 

@@ -36,10 +36,33 @@ def printed_rows(section: str) -> tuple[Row, ...]:
     return tuple(row for row in read_table("printed") if row["section"] == section)
 
 
+def _number(text: str) -> float:
+    """Return a printed number, whose thousands may be set apart by commas."""
+    return float(text.replace(",", ""))
+
+
 def printed(section: str, start: str = "") -> dict[str, float]:
-    """Return the printed numbers of one ``section`` whose ids begin with ``start``, by the rest of the id."""
+    """Return printed numbers of one section.
+
+    Parameters
+    ----------
+    section : str
+        ``"II"`` to ``"VII"``.
+    start : str
+        How the ids begin that are wanted.
+
+    Returns
+    -------
+    dict of str to float
+        By the rest of the id.
+    """
     rows = (row for row in printed_rows(section) if row["id"].startswith(start))
-    return {row["id"].removeprefix(start): float(row["printed"].replace(",", "")) for row in rows}
+    return {row["id"].removeprefix(start): _number(row["printed"]) for row in rows}
+
+
+def printed_number(name: str) -> float | None:
+    """Return the printed number of one row by its id (``name``), or None if there is no such row."""
+    return next((_number(row["printed"]) for row in read_table("printed") if row["id"] == name), None)
 
 
 def half_unit(number: str) -> float:
