@@ -84,7 +84,15 @@ def constants(name: str) -> dict[str, float]:
 
 
 def column(name: str, key: str) -> list[float]:
-    """Return column ``key`` of ``data/<name>.csv`` as numbers."""
+    """Return a column of ``data/<name>.csv`` as numbers.
+
+    Parameters
+    ----------
+    name : str
+        File name without its ending.
+    key : str
+        Name of the column.
+    """
     return [float(row[key]) for row in read_table(name)]
 
 

@@ -143,7 +143,14 @@ def divergence_frequency(booster: Booster) -> float:
 
 
 def dynamic_pressure_locus(booster: Booster, values: ArrayLike) -> RootLocus:
-    """Return the vehicle's poles as q_D runs over ``values`` (lb/ft^2); without air nothing couples."""
+    """Return the vehicle's poles over the dynamic pressure; without air nothing couples.
+
+    Parameters
+    ----------
+    booster : Booster
+    values : array_like
+        Dynamic pressures (lb/ft^2).
+    """
 
     def vehicle(q_D: float) -> control.StateSpace:
         varied = replace(booster, flight=replace(booster.flight, q_D=q_D))
@@ -182,7 +189,23 @@ def mirrored_damping(booster: Booster, F2_q1dot: float) -> float:
 
 
 def gust_response(eqs: PerturbationEquations, times: ArrayLike, alpha_g: float, modes: int = 2) -> NDArray:
-    """Return theta (rad) at ``times`` (s), shape (N,), after a gust ``alpha_g`` (rad); 0, 1 or 2 modes."""
+    """Return theta after a gust that sets in at once and stays.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    times : array_like, shape (N,)
+        Times (s).
+    alpha_g : float
+        Angle of attack that the gust adds (rad).
+    modes : int
+        How many of the bending modes take part.
+
+    Returns
+    -------
+    ndarray, shape (N,)
+        In rad.
+    """
     vehicle, n = eqs.state_space(), 3 + 2 * modes
     gust = vehicle.input_labels.index("alpha_g")
     kept = control.ss(vehicle.A[:n, :n], vehicle.B[:n, [gust]], np.eye(n)[[1]], np.zeros((1, 1)))

@@ -169,22 +169,46 @@ class BendingMode:
 
 
 def generalized_mass(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return sum of masses (slug) by first by second shape: generalized mass if alike, 0 if orthogonal."""
+    """Return the sum of mass times two shapes (slug): the generalized mass of one, 0 if two are orthogonal.
+
+    Parameters
+    ----------
+    masses, first, second : ndarray, shape (n,)
+        Masses (slug), and the deflection of both shapes there.
+    """
     return float(np.sum(masses * first * second))
 
 
 def translation_product(masses: NDArray, phi: NDArray) -> float:
-    """Return sum of masses by phi (slug): zero for a mode orthogonal to rigid translation [Section II]."""
+    """Return the sum of mass times deflection (slug): 0 if orthogonal to translation [Section II].
+
+    Parameters
+    ----------
+    masses, phi : ndarray, shape (n,)
+        Masses (slug), and the mode's deflection there.
+    """
     return float(np.sum(masses * phi))
 
 
 def rotation_product(masses: NDArray, phi: NDArray, arms: NDArray) -> float:
-    """Return sum of masses (slug) by phi by arms l_CG - l (ft): zero for a mode orthogonal to rotation."""
+    """Return the sum of mass times deflection times arm (slug ft): 0 if orthogonal to rotation.
+
+    Parameters
+    ----------
+    masses, phi, arms : ndarray, shape (n,)
+        Masses (slug), the mode's deflection there, and the arms l_CG - l (ft).
+    """
     return float(np.sum(masses * phi * arms))
 
 
 def mass_cosine(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return the cosine of a first and a second shape, masses as weights: 0 if orthogonal, 1 if alike."""
+    """Return the cosine of the angle between two shapes, weighted by mass: 0 if orthogonal, 1 if alike.
+
+    Parameters
+    ----------
+    masses, first, second : ndarray, shape (n,)
+        As in `generalized_mass`.
+    """
     product, one, other = (
         generalized_mass(masses, a, b) for a, b in ((first, second), (first, first), (second, second))
     )
