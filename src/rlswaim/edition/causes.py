@@ -52,8 +52,15 @@ def read_off() -> dict[int, tuple[float, float]]:
     return {int(row["station_ft"]): (float(row["phi_1"]), float(row["phi_2"])) for row in rows}
 
 
-def figures(x: float, digits: int) -> float:
-    """Return ``x`` to so many significant ``digits``, halves away from zero, as one writes them down."""
+def rounded(x: float, digits: int) -> float:
+    """Return a number as one writes it down, with halves rounded away from zero.
+
+    Parameters
+    ----------
+    x : float
+    digits : int
+        How many significant digits are kept.
+    """
     return float(f"{x * (1 + 1e-12):.{digits - 1}e}")  # 24.65 goes up, as it does on paper
 
 
@@ -90,10 +97,10 @@ def _digits(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]
 def _readings(eqs: PerturbationEquations) -> dict[str, float]:
     """Return gains and zeros that hang on deflections read off Figure 5."""
     drive = [eqs.coefficients["F1_delta"], eqs.coefficients["F2_delta"]]
-    sums = {x: sum(figures(p * f, 3) for p, f in zip(read_off()[x], drive, strict=True)) for x in (140, 300)}
+    sums = {x: sum(rounded(p * f, 3) for p, f in zip(read_off()[x], drive, strict=True)) for x in (140, 300)}
     loop, kK_z = final_design()
     read = with_reading(eqs, loop.sensor, read_off()[39])
-    top = sum(figures(p * f, 3) for p, f in zip(read_off()[39], drive, strict=True))
+    top = sum(rounded(p * f, 3) for p, f in zip(read_off()[39], drive, strict=True))
     gain = -kK_z * loop.K_r * eqs.jet["Z"] * top / printed("IV")["eq92-gain"]
     zeros = section_7.paired("eq136-zero-", _eq136_zeros(read, loop))
     names = ("gain", "zero-r5", "zero-r6", "zero-c2-re", "zero-c2-im")

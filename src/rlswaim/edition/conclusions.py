@@ -70,12 +70,26 @@ def unstable_root(booster: Booster) -> float:
 
 
 def stiffened(booster: Booster, factor: float) -> Booster:
-    """Return the vehicle with both free-free frequencies multiplied by a ``factor``."""
+    """Return the vehicle with other free-free frequencies.
+
+    Parameters
+    ----------
+    booster : Booster
+    factor : float
+        What the frequency of every mode is multiplied by.
+    """
     return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
 
 
 def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
-    """Return the vehicle with the lift of ``payload`` surface and ``fins`` multiplied by these factors."""
+    """Return the vehicle with more or less lift.
+
+    Parameters
+    ----------
+    booster : Booster
+    payload, fins : float
+        What the lift of each surface is multiplied by.
+    """
     pairs = zip(booster.surfaces, (payload, fins), strict=True)
     return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
 

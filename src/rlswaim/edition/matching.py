@@ -27,7 +27,14 @@ KINDS = {
 
 
 def as_written(eqs: PerturbationEquations, *starts: str) -> dict[str, float]:
-    """Return the entries of Eq. 38's matrix and thrust column, for each start of ids in ``starts``."""
+    """Return the entries of Eq. 38's matrix and thrust column as the report writes them.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    *starts : str
+        Starts of ids, for instance ``"eq38-"``; the entries are returned for each of them.
+    """
     entries = {**eqs.coefficients, "Z_thetadot": eqs.coefficients["Z_thetadot"] - eqs.U, "U": eqs.U}
     return {f"{start}{name}": value for start in starts for name, value in entries.items()}
 
@@ -50,7 +57,14 @@ def _root(kinds: dict[str, float]) -> complex:
 
 
 def printed_roots(section: str, start: str) -> dict[str, complex]:
-    """Return printed roots (1/s) of a ``section`` by name, of rows whose id begins with ``start``."""
+    """Return printed roots (1/s) by name.
+
+    Parameters
+    ----------
+    section : str
+    start : str
+        How the ids of their rows begin.
+    """
     groups: dict[str, dict[str, float]] = defaultdict(dict)
     for id_, value in printed(section).items():
         name, _, kind = id_.rpartition("-")

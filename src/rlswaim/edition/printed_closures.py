@@ -34,7 +34,13 @@ def printed_closure_2() -> control.TransferFunction:
 
 
 def printed_closure_3(K_C: float, K_R: float) -> control.TransferFunction:
-    """Return Eq. 137 from its printed factors, for K_A = 1."""
+    """Return Eq. 137 from its printed factors, for K_A = 1.
+
+    Parameters
+    ----------
+    K_C, K_R : float
+        Actuator (1/s) and rate gyro (s) gains.
+    """
     zeros, poles = printed_factors("eq137-zero-"), printed_factors("eq137-pole-")
     gain = printed("VII", "eq137-")["gain"] * K_C * K_R
     return from_factors(gain, [*zeros, 0.0, -1 / K_R], [*poles, -K_C, 0.0, 0.0])
@@ -43,7 +49,19 @@ def printed_closure_3(K_C: float, K_R: float) -> control.TransferFunction:
 def fitted_deflections(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> tuple[float, float]:
     """Return phi_1(z), phi_2(z) that bring closure 1 nearest to its printed roots.
 
-    Least squares on the relative error of the coefficients of s to s^6, in which both are linear.
+    The relative errors of the coefficients of s to s^6, in which both are linear, have the least sum
+    of squares.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    kK_z : float
+        Gain of the jet's loop (lb s/ft).
+
+    Returns
+    -------
+    tuple of float
     """
     p = printed_factors("text-closure1-")
     wanted = npp.polyfromroots([0.0, *p, *(z.conjugate() for z in p if z.imag)]).real[1:7]

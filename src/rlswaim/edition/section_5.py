@@ -38,7 +38,17 @@ def printed_outer_loop(K_z: float | None = None) -> control.TransferFunction:
 
 
 def nearest_gain(loop: control.TransferFunction, wanted: complex, gains: np.ndarray) -> tuple[float, complex]:
-    """Return which of ``gains`` brings a root of ``loop`` nearest to a ``wanted`` one, and that root."""
+    """Return which gain brings a closed-loop root nearest to a wanted one, and that root (1/s).
+
+    Parameters
+    ----------
+    loop : control.TransferFunction
+        Open loop.
+    wanted : complex
+        In 1/s.
+    gains : ndarray, shape (K,)
+        Gains to choose from.
+    """
     found = root_locus(loop, gains).roots
     row, column = np.unravel_index(np.abs(found - wanted).argmin(), found.shape)
     return float(gains[row]), complex(found[row, column])

@@ -50,7 +50,18 @@ class Readings(NamedTuple):
 
 
 def deflections(eqs: PerturbationEquations, loop: JetLoop) -> NDArray:
-    """Return phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet as read here, shape (4,)."""
+    """Return the deflections at sensor and jet as read here.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+
+    Returns
+    -------
+    ndarray, shape (4,)
+        phi_1, phi_2 at the sensor, phi_1, phi_2 at the jet.
+    """
     return np.array([mode.deflection(x) for x in (loop.sensor, loop.jet) for mode in eqs.modes])
 
 
@@ -82,9 +93,20 @@ def starting_rates(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> N
 
 
 def read_so(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> PerturbationEquations:
-    """Return ``eqs`` with one reading ``phi``, shape (4,), of the deflections at sensor and jet.
+    """Return the equations with other deflections at sensor and jet.
 
     Where both stand at one station, the sensor's two hold for both.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    phi : ndarray, shape (4,)
+        As `deflections` gives them.
+
+    Returns
+    -------
+    PerturbationEquations
     """
     for station, (first, second) in {loop.jet: phi[2:], loop.sensor: phi[:2]}.items():
         eqs = with_reading(eqs, station, (first, second))
