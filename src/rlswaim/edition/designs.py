@@ -1,19 +1,13 @@
 """The report's designs: gains and stations of its control systems, figure by figure."""
 
 from rlswaim.source import checks
-from rlswaim.source.tables import printed_number, read_table
+from rlswaim.source.tables import number, read_table
 
 
 def value(cell: str) -> float | str:
-    """Return what a ``cell`` of a table of gains stands for.
-
-    It is a number, words, or the id of a row of ``data/printed.csv``, which then holds the number.
-    """
-    number = printed_number(cell)
-    if number is not None:
-        return number
+    """Return what a ``cell`` of a table of gains stands for: a number, or else its words."""
     try:
-        return float(cell)
+        return number(cell)
     except ValueError:
         return cell
 

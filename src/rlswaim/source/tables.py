@@ -36,9 +36,18 @@ def printed_rows(section: str) -> tuple[Row, ...]:
     return tuple(row for row in read_table("printed") if row["section"] == section)
 
 
-def _number(text: str) -> float:
-    """Return a printed number, whose thousands may be set apart by commas."""
-    return float(text.replace(",", ""))
+@cache
+def _printed_texts() -> dict[str, str]:
+    return {row["id"]: row["printed"] for row in read_table("printed")}
+
+
+def number(cell: str) -> float:
+    """Return the number in a ``cell`` of a table.
+
+    The cell may hold the id of a row of ``data/printed.csv``, the one home of printed numbers, instead;
+    thousands may be set apart by commas.
+    """
+    return float(_printed_texts().get(cell, cell).replace(",", ""))
 
 
 def printed(section: str, start: str = "") -> dict[str, float]:
@@ -57,12 +66,7 @@ def printed(section: str, start: str = "") -> dict[str, float]:
         By the rest of the id.
     """
     rows = (row for row in printed_rows(section) if row["id"].startswith(start))
-    return {row["id"].removeprefix(start): _number(row["printed"]) for row in rows}
-
-
-def printed_number(name: str) -> float | None:
-    """Return the printed number of one row by its id (``name``), or None if there is no such row."""
-    return next((_number(row["printed"]) for row in read_table("printed") if row["id"] == name), None)
+    return {row["id"].removeprefix(start): number(row["printed"]) for row in rows}
 
 
 def half_unit(number: str) -> float:
@@ -80,7 +84,7 @@ def half_unit(number: str) -> float:
 
 def constants(name: str) -> dict[str, float]:
     """Return column ``value`` of ``data/<name>.csv`` by column ``symbol``, in each row's unit."""
-    return {row["symbol"]: float(row["value"]) for row in read_table(name)}
+    return {row["symbol"]: number(row["value"]) for row in read_table(name)}
 
 
 def column(name: str, key: str) -> list[float]:
@@ -93,7 +97,7 @@ def column(name: str, key: str) -> list[float]:
     key : str
         Name of the column.
     """
-    return [float(row[key]) for row in read_table(name)]
+    return [number(row[key]) for row in read_table(name)]
 
 
 def script(*path: str) -> str:

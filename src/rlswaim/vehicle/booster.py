@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
-from rlswaim.source.tables import column, constants, read_table
+from rlswaim.source.tables import column, constants, number, read_table
 from rlswaim.vehicle.modes import BendingMode, generalized_mass, purified
 from rlswaim.vehicle.stations import as_station, increasing_stations
 from rlswaim.vehicle.trajectory import level_at_burnout, swaim_ascent
@@ -176,11 +176,11 @@ class Booster:
         return generalized_mass(self.masses, phi, phi)
 
 
-def _mode(number: int) -> BendingMode:
+def _mode(which: int) -> BendingMode:
     """Return bending mode 1 or 2 from the data tables [Table 2]."""
-    rows = [row for row in read_table("modes") if row["mode"] == str(number)]
+    rows = [row for row in read_table("modes") if row["mode"] == str(which)]
     pick = {
-        kind: [(float(r["station_ft"]), float(r["value"])) for r in rows if r["kind"] == kind]
+        kind: [(float(r["station_ft"]), number(r["value"])) for r in rows if r["kind"] == kind]
         for kind in ("deflection", "slope")
     }
     data = constants("vehicle")
@@ -190,10 +190,10 @@ def _mode(number: int) -> BendingMode:
         deflections=np.array(phi),
         slope_stations=np.array(at),
         slopes=np.array(sigma),
-        omega=data[f"omega_{number}"],
-        zeta=data[f"zeta_{number}"],
-        mass=data[f"mass_{number}"],
-        name=f"bending mode {number}",
+        omega=data[f"omega_{which}"],
+        zeta=data[f"zeta_{which}"],
+        mass=data[f"mass_{which}"],
+        name=f"bending mode {which}",
     )
 
 

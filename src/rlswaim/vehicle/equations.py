@@ -38,7 +38,7 @@ from rlswaim.vehicle.modes import BendingMode
 from rlswaim.vehicle.stations import as_station
 
 INPUTS = ("delta", "delta_r", "alpha_g")
-JET_STATION = 140.0
+JET_STATION = printed("VII", "fig25-")["jet"]
 """Station of the reaction jet (ft) in the report's final design [Figure 25]."""
 
 

@@ -5,8 +5,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.source import checks
 from rlswaim.source.checks import named
+from rlswaim.source.tables import constants
 
-LENGTH = 420.0
+LENGTH = constants("vehicle")["L"]
 """Length of the vehicle (ft): stations run from 0 at the nose to this."""
 
 
