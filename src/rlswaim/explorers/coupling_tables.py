@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlswaim.vehicle.booster import Booster
-from rlswaim.vehicle.eq_29 import Product, entries, products
+from rlswaim.vehicle.eq_29 import Product, equation_terms, products
 
 BLOCKS = {"short period": (0, 1), "mode 1": (2,), "mode 2": (3,)}
 """Rows and columns of Eq. 29 that each motion would have to itself."""
@@ -25,7 +25,7 @@ class DeterminantTerm(NamedTuple):
 def _uncoupled(booster: Booster) -> set[str]:
     """Return the coefficients that stay where each motion is by itself: those of `BLOCKS`."""
     block = {i: name for name, rows in BLOCKS.items() for i in rows}
-    terms = entries(len(booster.modes), booster.flight.U)
+    terms = equation_terms(len(booster.modes), booster.flight.U)
     return {term.coefficient for term in terms if block[term.row] == block[term.column]}
 
 
@@ -59,7 +59,7 @@ def determinant_table(rows: Sequence[int], U: float) -> tuple[DeterminantTerm, .
     -------
     tuple of DeterminantTerm
     """
-    terms = list(entries(max(rows) - 1, U))
+    terms = list(equation_terms(max(rows) - 1, U))
 
     def entry(i: int, j: int) -> list[DeterminantTerm]:
         return [

@@ -21,10 +21,14 @@ from rlswaim.vehicle.modes import BendingMode
 
 
 class Shaped(NamedTuple):
-    """A sign and the name of a shape: ``one``, ``arm`` (l - l_CG, ft), ``phi_i`` or ``sigma_i`` (1/ft)."""
+    """A sign and the name of a shape: ``one``, ``arm`` (l - l_CG, ft), ``phi_i`` or ``sigma_i`` (1/ft).
+
+    What a rate brings (``rate``) counts over U, as an angle.
+    """
 
     sign: float
     shape: str
+    rate: bool = False
 
 
 class Product(NamedTuple):
@@ -68,15 +72,10 @@ def levers(modes: int) -> dict[str, Shaped]:
 
 
 def incidences(modes: int) -> dict[str, Shaped]:
-    """Return how each motion moves the air, by its column; a rate (``...dot``) counts over U [Eq. 21].
-
-    Parameters
-    ----------
-    modes : int
-    """
-    found = {"alpha": Shaped(1.0, "one"), "thetadot": Shaped(1.0, "arm")}
+    """Return how each motion moves the air, by its column, for a number of ``modes`` [Eq. 21]."""
+    found = {"alpha": Shaped(1.0, "one"), "thetadot": Shaped(1.0, "arm", rate=True)}
     for i in range(1, modes + 1):
-        found |= {f"q{i}dot": Shaped(-1.0, f"phi_{i}"), f"q{i}": Shaped(1.0, f"sigma_{i}")}
+        found |= {f"q{i}dot": Shaped(-1.0, f"phi_{i}", rate=True), f"q{i}": Shaped(1.0, f"sigma_{i}")}
     return found
 
 
@@ -118,7 +117,7 @@ def lever_matrix(modes: Sequence[BendingMode], l_CG: float, stations: float | ND
     ndarray, shape (rows,) or (rows, S)
     """
     at = shapes(modes, l_CG, stations)
-    return np.array([sign * np.asarray(at[shape]) for sign, shape in levers(len(modes)).values()])
+    return np.array([sign * np.asarray(at[shape]) for sign, shape, _ in levers(len(modes)).values()])
 
 
 def incidence_matrix(booster: Booster, stations: NDArray) -> NDArray:
@@ -137,8 +136,8 @@ def incidence_matrix(booster: Booster, stations: NDArray) -> NDArray:
     at, U = shapes(booster.modes, booster.l_CG, stations), booster.flight.U
     return np.array(
         [
-            sign * np.asarray(at[shape]) / (U if motion.endswith("dot") else 1.0)
-            for motion, (sign, shape) in incidences(len(booster.modes)).items()
+            sign * np.asarray(at[shape]) / (U if rate else 1.0)
+            for sign, shape, rate in incidences(len(booster.modes)).values()
         ]
     )
 
@@ -196,7 +195,7 @@ def coefficients(booster: Booster) -> dict[str, float]:
     return dict(zip(coefficient_names(len(booster.modes)), found.ravel().tolist(), strict=True))
 
 
-class Entry(NamedTuple):
+class EquationTerm(NamedTuple):
     """One term of the matrix of Eq. 29: a weight times a coefficient, or alone, times a power of s."""
 
     row: int
@@ -206,7 +205,7 @@ class Entry(NamedTuple):
     coefficient: str = ""
 
 
-def entries(modes: int, U: float, gravity: float = 0.0) -> Iterator[Entry]:
+def equation_terms(modes: int, U: float, gravity: float = 0.0) -> Iterator[EquationTerm]:
     """Yield the terms that the matrix of Eq. 29 is the sum of.
 
     Parameters
@@ -220,17 +219,17 @@ def entries(modes: int, U: float, gravity: float = 0.0) -> Iterator[Entry]:
 
     Yields
     ------
-    Entry
+    EquationTerm
     """
     for i, row in enumerate(row_names(modes)):
-        yield Entry(i, 0, 0, 1.0, f"{row}_alpha")
-        yield Entry(i, 1, 1, 1.0, f"{row}_thetadot")
+        yield EquationTerm(i, 0, 0, 1.0, f"{row}_alpha")
+        yield EquationTerm(i, 1, 1, 1.0, f"{row}_thetadot")
         for j, q in enumerate(output_names(modes)[2:], start=2):
-            yield Entry(i, j, 0, 1.0, f"{row}_{q}")
-            yield Entry(i, j, 1, 1.0, f"{row}_{q}dot")
-        yield Entry(i, i, 2 if i else 1, 1.0 if i else U)
-    yield Entry(0, 1, 1, -U)
-    yield Entry(0, 1, 0, gravity)
+            yield EquationTerm(i, j, 0, 1.0, f"{row}_{q}")
+            yield EquationTerm(i, j, 1, 1.0, f"{row}_{q}dot")
+        yield EquationTerm(i, i, 2 if i else 1, 1.0 if i else U)
+    yield EquationTerm(0, 1, 1, -U)
+    yield EquationTerm(0, 1, 0, gravity)
 
 
 def products(booster: Booster) -> dict[str, tuple[Product, ...]]:
@@ -259,8 +258,7 @@ def products(booster: Booster) -> dict[str, tuple[Product, ...]]:
     found = {}
     for (row, lever), inertia in zip(levers(count).items(), inertias(booster).tolist(), strict=True):
         for motion, incidence in incidences(count).items():
-            weight = booster.S / inertia * lever.sign * incidence.sign
-            weight /= U if motion.endswith("dot") else 1.0
+            weight = booster.S / inertia * lever.sign * incidence.sign / (U if incidence.rate else 1.0)
             shaped = [shape for shape in (lever.shape, incidence.shape) if shape != "one"]
             lift = (
                 Product(weight, ("q_D", f"C_{s.name}", *(f"{shape}_{s.name}" for shape in shaped)))

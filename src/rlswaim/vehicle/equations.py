@@ -27,7 +27,7 @@ from rlswaim.vehicle.booster import Booster, swaim_booster
 from rlswaim.vehicle.eq_29 import (
     coefficient_names,
     coefficients,
-    entries,
+    equation_terms,
     inertias,
     lever_matrix,
     output_names,
@@ -115,7 +115,7 @@ class PerturbationEquations:
         """The square matrix of Eq. 29: shape (n, n, 3), powers of s ascending, columns as `outputs`."""
         size = len(self.rows)
         matrix = np.zeros((size, size, 3))
-        for i, j, power, weight, name in entries(len(self.modes), self.U, self.gravity):
+        for i, j, power, weight, name in equation_terms(len(self.modes), self.U, self.gravity):
             matrix[i, j, power] += weight * self.coefficients[name] if name else weight
         return matrix
 
