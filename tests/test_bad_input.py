@@ -9,6 +9,7 @@ import pytest
 import rlswaim as rl
 from rlswaim.edition import conclusions, conditioning, printed_closures, robustness, table_3, table_3_readings
 from rlswaim.loops import certificates, closures, family, transfer_functions
+from rlswaim.vehicle import coupling
 from rlswaim.vehicle.equations import with_reading
 from systems import LOOPS, closed_loop
 
@@ -247,6 +248,16 @@ def test_a_station_must_be_a_number(bad):
 
 
 # ---- the equations
+
+
+@pytest.mark.parametrize("mode", [-1, 0, 3])
+def test_a_sum_over_the_surfaces_is_of_a_mode_of_the_vehicle(mode):
+    refused(ValueError, lambda: coupling.surface_sums(rl.swaim_booster(), mode), "mode", str(mode))
+
+
+def test_no_mode_couples_with_nothing():
+    rigid = rl.perturbation_equations(replace(rl.swaim_booster(), modes=()))
+    refused(ValueError, lambda: coupling.partition(rigid), "modes")
 
 
 def test_coefficients_must_be_the_report_s_28(eqs):

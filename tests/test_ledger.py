@@ -18,7 +18,7 @@ from rlswaim.edition.ledger import VERDICTS, half_unit
 from rlswaim.figures.agreement import draw_differences
 from rlswaim.loops import closures
 from rlswaim.rootlocus.polynomials import roots
-from rlswaim.source.tables import read_table
+from rlswaim.source.tables import number, read_table
 from rlswaim.vehicle.equations import printed_coefficients, with_reading
 
 LEDGER = rl.ledger()
@@ -220,6 +220,18 @@ def test_table_2_s_last_digits_cannot_balance_its_sums():
     for i in range(2):
         assert abs(ENTRIES[f"sec2-translation_{i + 1}"].computed) > booster.masses @ half
     assert abs(ENTRIES["sec2-orthogonality"].computed) > booster.masses @ (np.abs(phi).sum(axis=0) * half)
+
+
+@pytest.mark.parametrize("name", ["designs", "gains_found", "masses", "modes", "vehicle"])
+def test_a_table_s_number_is_a_row_of_the_ledger_or_a_number(name):
+    """Else a mistyped id would pass for words."""
+    key = "mass_slug" if name == "masses" else "value"
+    cells = [row[key] for row in read_table(name)]
+    words = [cell for cell in cells if cell not in ENTRIES and not re.fullmatch(r"-?\d*\.?\d+(e\d+)?", cell)]
+    assert set(words) == ({"total", "rigid body"} if name == "designs" else set())
+    known = [cell for cell in cells if cell in ENTRIES]
+    assert known
+    assert [number(cell) for cell in known] == [ENTRIES[cell].value for cell in known]
 
 
 def test_cross_dampings_contradict_each_other():

@@ -49,7 +49,9 @@ class Partition:
 
 
 def partition(eqs: PerturbationEquations) -> Partition:
-    """Return the uncoupled and the coupling part of Eq. 42 [Eqs. 43, 49 to 51]."""
+    """Return the uncoupled and the coupling part of Eq. 42 [Eqs. 43, 49 to 51]; ValueError without a mode."""
+    if not eqs.modes:
+        raise ValueError(f"modes in partition: got none in {eqs.source}, wanted a first bending mode")
     matrix = eqs.matrix[:3, :3]
     uncoupled = np.convolve(determinant(matrix[:2, :2]), matrix[2, 2])[:6] / eqs.U
     # The third row's expansion, so that no difference of the two large parts is taken.
@@ -84,14 +86,21 @@ def surface_sums(booster: Booster, mode: int = 1) -> Mapping[str, float]:
     ----------
     booster : Booster
     mode : int
-        1 or 2.
+        Number of a bending mode, from 1 up.
 
     Returns
     -------
     mapping
         ``phi`` (1/rad) [Eq. 53], ``phi_l`` (ft/rad) [Eq. 54], ``phi_arm`` (ft/rad), ``sigma`` (1/(ft rad)),
         ``sigma_arm`` (1/rad) and ``arm`` (ft/rad), where arm is l_CG - l.
+
+    Raises
+    ------
+    ValueError
+        If there is no such mode.
     """
+    if mode not in range(1, len(booster.modes) + 1):
+        raise ValueError(f"mode in surface_sums: got {mode}, wanted 1 to {len(booster.modes)}")
     C = np.array([surface.C_Nalpha for surface in booster.surfaces])
     x = np.array([surface.station for surface in booster.surfaces])
     phi, sigma = booster.modes[mode - 1].deflection(x), booster.modes[mode - 1].slope(x)
