@@ -1,7 +1,7 @@
 """The vehicle: masses, lifting surfaces, thrust and flight condition [Section II]."""
 
 from dataclasses import dataclass, field, replace
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +31,7 @@ class FlightCondition:
     gamma_0: float | None = quantity(
         "gamma_0",
         "rad",
-        "angle of the flight path; None where it is not known",
+        "angle of the flight path, if it is known",
         "Section II; the pitch program is the book's",
         default=None,
     )
@@ -206,7 +206,7 @@ def swaim_booster() -> Booster:
         Tables 1 and 2 and the text's figures; what the source lost is recovered
         from the printed coefficients, as each row of ``data/`` says.
     """
-    data = constants("vehicle")
+    data: dict[str, Any] = {**constants("vehicle")}
     surfaces = tuple(
         Surface(row["name"], float(row["station_ft"]), float(row["C_Nalpha_per_rad"]))
         for row in read_table("surfaces")
@@ -214,12 +214,7 @@ def swaim_booster() -> Booster:
     return Booster(
         stations=np.array(column("masses", "station_ft")),
         masses=np.array(column("masses", "mass_slug")),
-        M=data["M"],
-        I_y=data["I_y"],
-        l_CG=data["l_CG"],
-        l_G=data["l_G"],
-        S=data["S"],
-        T=data["T"],
+        **{symbol: data[symbol] for symbol in ("M", "I_y", "l_CG", "l_G", "S", "T")},
         surfaces=surfaces,
         modes=(_mode(1), _mode(2)),
         flight=FlightCondition(

@@ -10,11 +10,12 @@ The air's part of a coefficient is the sum over the surfaces of lever times q_D 
 over the inertia of its equation (M, I_y, m_i).  Thrust and structure add their own parts.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from math import prod
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.modes import BendingMode
@@ -38,16 +39,6 @@ class Product(NamedTuple):
     factors: tuple[str, ...]
 
 
-def row_names(modes: int) -> tuple[str, ...]:
-    """Return the names of the equations, Z, M, F1 and so on, for a number of ``modes``."""
-    return ("Z", "M", *(f"F{i + 1}" for i in range(modes)))
-
-
-def motion_names(modes: int) -> tuple[str, ...]:
-    """Return the motions with a coefficient, alpha, thetadot, q1dot, q1 and so on, for so many ``modes``."""
-    return ("alpha", "thetadot", *(f"q{i + 1}{rate}" for i in range(modes) for rate in ("dot", "")))
-
-
 def output_names(modes: int) -> tuple[str, ...]:
     """Return the unknowns, alpha, theta, q1 and so on, for a number of ``modes``."""
     return ("alpha", "theta", *(f"q{i + 1}" for i in range(modes)))
@@ -57,12 +48,6 @@ def state_names(modes: int) -> tuple[str, ...]:
     """Return the states: alpha, and each other unknown with its rate, for a number of ``modes``."""
     moving = (name + rate for name in output_names(modes)[1:] for rate in ("", "dot"))
     return ("alpha", *moving)
-
-
-def coefficient_names(modes: int) -> tuple[str, ...]:
-    """Return the names of the coefficients of Eq. 29 for a number of ``modes``, row by row."""
-    columns = (*motion_names(modes), "delta")
-    return tuple(f"{row}_{column}" for row in row_names(modes) for column in columns)
 
 
 def levers(modes: int) -> dict[str, Shaped]:
@@ -79,7 +64,17 @@ def incidences(modes: int) -> dict[str, Shaped]:
     return found
 
 
-def shapes(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> dict[str, ArrayLike]:
+def row_names(modes: int) -> tuple[str, ...]:
+    """Return the names of the equations, Z, M, F1 and so on, for a number of ``modes``."""
+    return tuple(levers(modes))
+
+
+def coefficient_names(modes: int) -> tuple[str, ...]:
+    """Return the names of the coefficients of Eq. 29 for a number of ``modes``, row by row."""
+    return tuple(f"{row}_{column}" for row in levers(modes) for column in (*incidences(modes), "delta"))
+
+
+def shapes(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> dict[str, Any]:
     """Return every shape of a vehicle at a station, or at several.
 
     Parameters
@@ -95,7 +90,7 @@ def shapes(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray)
     dict of str to float or ndarray, shape (S,)
         By the names that `Shaped` uses.
     """
-    found: dict[str, ArrayLike] = {"one": 0.0 * stations + 1.0, "arm": stations - l_CG}
+    found: dict[str, Any] = {"one": 0.0 * stations + 1.0, "arm": stations - l_CG}
     for i, mode in enumerate(modes, start=1):
         found |= {f"phi_{i}": mode.deflection(stations), f"sigma_{i}": mode.slope(stations)}
     return found
@@ -117,29 +112,7 @@ def lever_matrix(modes: Sequence[BendingMode], l_CG: float, stations: float | ND
     ndarray, shape (rows,) or (rows, S)
     """
     at = shapes(modes, l_CG, stations)
-    return np.array([sign * np.asarray(at[shape]) for sign, shape, _ in levers(len(modes)).values()])
-
-
-def incidence_matrix(booster: Booster, stations: NDArray) -> NDArray:
-    """Return the incidence that each motion brings [Eq. 21].
-
-    Parameters
-    ----------
-    booster : Booster
-    stations : ndarray, shape (S,)
-        Where it is wanted (ft).
-
-    Returns
-    -------
-    ndarray, shape (motions, S)
-    """
-    at, U = shapes(booster.modes, booster.l_CG, stations), booster.flight.U
-    return np.array(
-        [
-            sign * np.asarray(at[shape]) / (U if rate else 1.0)
-            for sign, shape, rate in incidences(len(booster.modes)).values()
-        ]
-    )
+    return np.array([sign * at[shape] for sign, shape, _ in levers(len(modes)).values()])
 
 
 def inertias(booster: Booster) -> NDArray:
@@ -154,10 +127,12 @@ def air(booster: Booster) -> NDArray:
     -------
     ndarray, shape (rows, motions)
     """
+    modes, U = booster.modes, booster.flight.U
     stations = np.array([surface.station for surface in booster.surfaces])
     C_N = np.array([surface.C_Nalpha for surface in booster.surfaces])
-    lever = lever_matrix(booster.modes, booster.l_CG, stations)
-    incidence = incidence_matrix(booster, stations)
+    at, lever = shapes(modes, booster.l_CG, stations), lever_matrix(modes, booster.l_CG, stations)
+    moved = incidences(len(modes)).values()
+    incidence = np.array([sign * at[shape] / (U if rate else 1.0) for sign, shape, rate in moved])
     force = booster.flight.q_D * booster.S / inertias(booster)
     return force[:, None] * np.einsum("rs,cs->rc", C_N * lever, incidence)
 
@@ -179,20 +154,24 @@ def thrust(booster: Booster) -> NDArray:
     return found
 
 
-def structure(booster: Booster) -> NDArray:
-    """Return the structure's part, shape (rows, motions): 2 zeta_i omega_i and omega_i^2 of each mode."""
-    count = len(booster.modes)
-    found = np.zeros((2 + count, 2 + 2 * count))
-    for i, mode in enumerate(booster.modes):
-        found[2 + i, 2 + 2 * i : 4 + 2 * i] = 2 * mode.zeta * mode.omega, mode.omega**2
+def structure(modes: Sequence[BendingMode]) -> dict[str, Product]:
+    """Return the structure's part of the coefficients of the ``modes``: 2 zeta_i omega_i and omega_i^2."""
+    found = {}
+    for i, mode in enumerate(modes, start=1):
+        found[f"F{i}_q{i}dot"] = Product(2 * mode.zeta, (f"omega_{i}",))
+        found[f"F{i}_q{i}"] = Product(1.0, (f"omega_{i}", f"omega_{i}"))
     return found
 
 
 def coefficients(booster: Booster) -> dict[str, float]:
     """Return every coefficient of Eq. 29 by name, from a vehicle's data."""
     found = thrust(booster)
-    found[:, :-1] = air(booster) + found[:, :-1] + structure(booster)
-    return dict(zip(coefficient_names(len(booster.modes)), found.ravel().tolist(), strict=True))
+    found[:, :-1] += air(booster)
+    c = dict(zip(coefficient_names(len(booster.modes)), found.ravel().tolist(), strict=True))
+    omega = {f"omega_{i}": mode.omega for i, mode in enumerate(booster.modes, start=1)}
+    for name, (weight, factors) in structure(booster.modes).items():
+        c[name] += weight * prod(omega[factor] for factor in factors)
+    return c
 
 
 class EquationTerm(NamedTuple):
@@ -247,23 +226,19 @@ def products(booster: Booster) -> dict[str, tuple[Product, ...]]:
     """
     count, U = len(booster.modes), booster.flight.U
     own = dict(zip(coefficient_names(count), thrust(booster).ravel().tolist(), strict=True))
-    spring: Mapping[str, tuple[Product, ...]] = {
-        f"F{i}_q{i}{rate}": (product,)
-        for i, mode in enumerate(booster.modes, start=1)
-        for rate, product in {
-            "dot": Product(2 * mode.zeta, (f"omega_{i}",)),
-            "": Product(1.0, (f"omega_{i}",) * 2),
-        }.items()
+    found = {
+        f"{row}_{motion}": [Product(own[f"{row}_{motion}"], ())]
+        for row in levers(count)
+        for motion in incidences(count)
     }
-    found = {}
+    for name, spring in structure(booster.modes).items():
+        found[name].append(spring)
     for (row, lever), inertia in zip(levers(count).items(), inertias(booster).tolist(), strict=True):
         for motion, incidence in incidences(count).items():
             weight = booster.S / inertia * lever.sign * incidence.sign / (U if incidence.rate else 1.0)
             shaped = [shape for shape in (lever.shape, incidence.shape) if shape != "one"]
-            lift = (
+            found[f"{row}_{motion}"] += [
                 Product(weight, ("q_D", f"C_{s.name}", *(f"{shape}_{s.name}" for shape in shaped)))
                 for s in booster.surfaces
-            )
-            name = f"{row}_{motion}"
-            found[name] = (Product(own[name], ()), *spring.get(name, ()), *lift)
-    return found
+            ]
+    return {name: tuple(sums) for name, sums in found.items()}

@@ -23,17 +23,8 @@ from rlswaim.rootlocus.polynomials import determinant
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
 from rlswaim.source.tables import half_unit, printed, printed_rows
+from rlswaim.vehicle import eq_29
 from rlswaim.vehicle.booster import Booster, swaim_booster
-from rlswaim.vehicle.eq_29 import (
-    coefficient_names,
-    coefficients,
-    equation_terms,
-    inertias,
-    lever_matrix,
-    output_names,
-    row_names,
-    state_names,
-)
 from rlswaim.vehicle.modes import BendingMode
 from rlswaim.vehicle.stations import as_station
 
@@ -42,8 +33,8 @@ JET_STATION = printed("VII", "fig25-")["jet"]
 """Station of the reaction jet (ft) in the report's final design [Figure 25]."""
 
 
-ROWS, OUTPUTS, STATES = row_names(2), output_names(2), state_names(2)
-COEFFICIENTS = coefficient_names(2)
+ROWS, OUTPUTS, STATES = eq_29.row_names(2), eq_29.output_names(2), eq_29.state_names(2)
+COEFFICIENTS = eq_29.coefficient_names(2)
 """The names for the report's two modes; those of other vehicles come from the functions."""
 
 
@@ -81,7 +72,7 @@ class PerturbationEquations:
     def __post_init__(self) -> None:
         """Check and freeze the data."""
         where = f"PerturbationEquations from {self.source}"
-        for what, names in (("coefficients", coefficient_names(len(self.modes))), ("jet", self.rows)):
+        for what, names in (("coefficients", eq_29.coefficient_names(len(self.modes))), ("jet", self.rows)):
             given = dict(getattr(self, what))
             wrong = sorted(set(given) ^ set(names))
             if wrong:
@@ -98,24 +89,24 @@ class PerturbationEquations:
     @property
     def rows(self) -> tuple[str, ...]:
         """Names of the equations: Z, M, F1 and so on."""
-        return row_names(len(self.modes))
+        return eq_29.row_names(len(self.modes))
 
     @property
     def outputs(self) -> tuple[str, ...]:
         """Names of the unknowns, the columns of `matrix`: alpha, theta, q1 and so on."""
-        return output_names(len(self.modes))
+        return eq_29.output_names(len(self.modes))
 
     @property
     def states(self) -> tuple[str, ...]:
         """Names of the states: alpha, theta, thetadot, q1, q1dot and so on."""
-        return state_names(len(self.modes))
+        return eq_29.state_names(len(self.modes))
 
     @cached_property
     def matrix(self) -> NDArray:
         """The square matrix of Eq. 29: shape (n, n, 3), powers of s ascending, columns as `outputs`."""
         size = len(self.rows)
         matrix = np.zeros((size, size, 3))
-        for i, j, power, weight, name in equation_terms(len(self.modes), self.U, self.gravity):
+        for i, j, power, weight, name in eq_29.equation_terms(len(self.modes), self.U, self.gravity):
             matrix[i, j, power] += weight * self.coefficients[name] if name else weight
         return matrix
 
@@ -137,7 +128,7 @@ class PerturbationEquations:
         checks.one_of("input", signal, INPUTS, "forcing")
         if signal == "delta_r":
             station = as_station("jet", jet, "forcing")
-            return lever_matrix(self.modes, self.l_CG, station) * [self.jet[row] for row in self.rows]
+            return eq_29.lever_matrix(self.modes, self.l_CG, station) * [self.jet[row] for row in self.rows]
         column = "alpha" if signal == "alpha_g" else signal
         return np.array([-self.coefficients[f"{row}_{column}"] for row in self.rows])
 
@@ -234,9 +225,11 @@ def perturbation_equations(booster: Booster, gravity: bool = False) -> Perturbat
     """
     checks.instance("booster", booster, Booster, "perturbation_equations")
     return PerturbationEquations(
-        coefficients=coefficients(booster),
+        coefficients=eq_29.coefficients(booster),
         U=booster.flight.U,
-        jet=dict(zip(row_names(len(booster.modes)), (1 / inertias(booster)).tolist(), strict=True)),
+        jet=dict(
+            zip(eq_29.row_names(len(booster.modes)), (1 / eq_29.inertias(booster)).tolist(), strict=True)
+        ),
         l_CG=booster.l_CG,
         modes=booster.modes,
         source=booster.name,
