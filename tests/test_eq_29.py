@@ -173,8 +173,10 @@ def test_products_add_up_to_the_coefficients(booster, count):
     known = {"q_D": booster.flight.q_D}
     known |= {f"omega_{i}": mode.omega for i, mode in enumerate(booster.modes, start=1)}
     for surface in booster.surfaces:
-        at = eq_29.shapes(booster.modes, booster.l_CG, surface.station)
-        known |= {f"{name}_{surface.name}": float(value) for name, value in at.items()}
+        at, x = {"arm": surface.station - booster.l_CG}, surface.station
+        for i, mode in enumerate(booster.modes, start=1):
+            at |= {f"phi_{i}": mode.deflection(x), f"sigma_{i}": mode.slope(x)}
+        known |= {f"{name}_{surface.name}": value for name, value in at.items()}
         known[f"C_{surface.name}"] = surface.C_Nalpha
     wanted = rl.perturbation_equations(booster).coefficients
     found = eq_29.products(booster)

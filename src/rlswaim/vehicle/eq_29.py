@@ -74,11 +74,13 @@ def coefficient_names(modes: int) -> tuple[str, ...]:
     return tuple(f"{row}_{column}" for row in levers(modes) for column in (*incidences(modes), "delta"))
 
 
-def shapes(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> dict[str, Any]:
-    """Return every shape of a vehicle at a station, or at several.
+def shape_at(name: str, modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> Any:
+    """Return a shape of the vehicle at a station, or at several.
 
     Parameters
     ----------
+    name : str
+        As in `Shaped`.
     modes : sequence of BendingMode
     l_CG : float
         Station of the center of gravity (ft).
@@ -87,13 +89,13 @@ def shapes(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray)
 
     Returns
     -------
-    dict of str to float or ndarray, shape (S,)
-        By the names that `Shaped` uses.
+    float or ndarray, shape (S,)
     """
-    found: dict[str, Any] = {"one": 0.0 * stations + 1.0, "arm": stations - l_CG}
-    for i, mode in enumerate(modes, start=1):
-        found |= {f"phi_{i}": mode.deflection(stations), f"sigma_{i}": mode.slope(stations)}
-    return found
+    if name in ("one", "arm"):
+        return stations - l_CG if name == "arm" else 0.0 * stations + 1.0
+    kind, number = name.split("_")
+    mode = modes[int(number) - 1]
+    return mode.deflection(stations) if kind == "phi" else mode.slope(stations)
 
 
 def lever_matrix(modes: Sequence[BendingMode], l_CG: float, stations: float | NDArray) -> NDArray:
@@ -111,8 +113,8 @@ def lever_matrix(modes: Sequence[BendingMode], l_CG: float, stations: float | ND
     -------
     ndarray, shape (rows,) or (rows, S)
     """
-    at = shapes(modes, l_CG, stations)
-    return np.array([sign * at[shape] for sign, shape, _ in levers(len(modes)).values()])
+    shaped = levers(len(modes)).values()
+    return np.array([sign * shape_at(shape, modes, l_CG, stations) for sign, shape, _ in shaped])
 
 
 def inertias(booster: Booster) -> NDArray:
@@ -127,12 +129,16 @@ def air(booster: Booster) -> NDArray:
     -------
     ndarray, shape (rows, motions)
     """
-    modes, U = booster.modes, booster.flight.U
+    modes, l_CG, U = booster.modes, booster.l_CG, booster.flight.U
     stations = np.array([surface.station for surface in booster.surfaces])
     C_N = np.array([surface.C_Nalpha for surface in booster.surfaces])
-    at, lever = shapes(modes, booster.l_CG, stations), lever_matrix(modes, booster.l_CG, stations)
-    moved = incidences(len(modes)).values()
-    incidence = np.array([sign * at[shape] / (U if rate else 1.0) for sign, shape, rate in moved])
+    incidence = np.array(
+        [
+            sign * shape_at(shape, modes, l_CG, stations) / (U if rate else 1.0)
+            for sign, shape, rate in incidences(len(modes)).values()
+        ]
+    )
+    lever = lever_matrix(modes, l_CG, stations)
     force = booster.flight.q_D * booster.S / inertias(booster)
     return force[:, None] * np.einsum("rs,cs->rc", C_N * lever, incidence)
 

@@ -86,17 +86,17 @@ class PerturbationEquations:
         object.__setattr__(self, "l_CG", as_station("l_CG", self.l_CG, where))
         object.__setattr__(self, "gravity", checks.real("gravity", self.gravity, where))
 
-    @property
+    @cached_property
     def rows(self) -> tuple[str, ...]:
         """Names of the equations: Z, M, F1 and so on."""
         return eq_29.row_names(len(self.modes))
 
-    @property
+    @cached_property
     def outputs(self) -> tuple[str, ...]:
         """Names of the unknowns, the columns of `matrix`: alpha, theta, q1 and so on."""
         return eq_29.output_names(len(self.modes))
 
-    @property
+    @cached_property
     def states(self) -> tuple[str, ...]:
         """Names of the states: alpha, theta, thetadot, q1, q1dot and so on."""
         return eq_29.state_names(len(self.modes))
