@@ -4,7 +4,8 @@ import control
 import numpy as np
 
 import rlswaim as rl
-from rlswaim.loops.closures import closure_3, final_design
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.loops.closures import closure_3
 from rlswaim.loops.transfer_functions import theta_loop
 
 

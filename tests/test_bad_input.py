@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 import rlswaim as rl
-from rlswaim.edition import conclusions, conditioning, robustness, table_3_readings
+from rlswaim.edition import conclusions, conditioning, printed_closures, robustness, table_3, table_3_readings
 from rlswaim.loops import certificates, closures, family, transfer_functions
+from rlswaim.vehicle import coupling
+from rlswaim.vehicle.equations import with_reading
 from systems import LOOPS, closed_loop
 
 NOT_NUMBERS = {
@@ -181,13 +183,14 @@ def test_the_thrust_point_must_lie_on_the_vehicle():
 
 
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_there_are_two_modes(count):
+def test_there_are_as_many_coefficients_as_the_modes_ask_for(eqs, count):
     modes = (rl.swaim_booster().modes * 2)[:count]
-    refused(ValueError, lambda: replace(rl.swaim_booster(), modes=modes), "modes")
+    refused(ValueError, lambda: replace(eqs, modes=modes), "coefficients", "name")
 
 
 @pytest.mark.parametrize(
-    ("field", "bad"), [("q_D", -1.0), ("U", 0.0), ("U", -1860.0), ("t", -1.0), ("h", np.nan)]
+    ("field", "bad"),
+    [("q_D", -1.0), ("U", 0.0), ("U", -1860.0), ("t", -1.0), ("h", np.nan), ("gamma_0", np.inf)],
 )
 def test_a_flight_condition_must_be_possible(field, bad):
     refused(ValueError, lambda: replace(rl.swaim_booster().flight, **{field: bad}), field, "FlightCondition")
@@ -245,6 +248,16 @@ def test_a_station_must_be_a_number(bad):
 
 
 # ---- the equations
+
+
+@pytest.mark.parametrize("mode", [-1, 0, 3])
+def test_a_sum_over_the_surfaces_is_of_a_mode_of_the_vehicle(mode):
+    refused(ValueError, lambda: coupling.surface_sums(rl.swaim_booster(), mode), "mode", str(mode))
+
+
+def test_no_mode_couples_with_nothing():
+    rigid = rl.perturbation_equations(replace(rl.swaim_booster(), modes=()))
+    refused(ValueError, lambda: coupling.partition(rigid), "modes")
 
 
 def test_coefficients_must_be_the_report_s_28(eqs):
@@ -340,7 +353,7 @@ def test_a_parameter_passes_the_system_s_own_complaint_on(eqs):
 
 # ---- the loops beside the control systems: polynomials, the jet, many loops at once
 
-JET, KK_Z = closures.final_design()
+JET, KK_Z = printed_closures.final_design()
 FOUND = conclusions.found_gains("dual_actuation")
 ATTITUDE = {"K_A": 1.0, "K_C": 10.0, "K_R": 0.6}
 
@@ -355,8 +368,8 @@ OF_A_NUMBER = {
     "b": lambda eqs, x: closures.closure_1(eqs, JET._replace(b=x)),
     "kK_z": lambda eqs, x: closures.closure_2(eqs, JET, x),
     "kK_z of theta": lambda eqs, x: closures.theta_numerator(eqs, JET, x),
-    "kK_z of a fit": lambda eqs, x: closures.fitted_deflections(eqs, JET, x),
-    "largest": lambda eqs, x: closures.gains_to(x, 5),
+    "kK_z of a fit": lambda eqs, x: printed_closures.fitted_deflections(eqs, JET, x),
+    "largest": lambda eqs, x: table_3.gains_to(x, 5),
     "b of a sensor": lambda eqs, x: transfer_functions.displacement_numerator(eqs, 140.0, x),
     "K_C": transfer_functions.open_loop_parts,
     "K_R": lambda eqs, x: transfer_functions.theta_loop(eqs, 10.0, x, 60.0),
@@ -380,7 +393,7 @@ OF_A_STATION = {
     "sensor of a jet": lambda eqs, x: closures.closed_1(eqs, JET._replace(sensor=x), KK_Z),
     "jet": lambda eqs, x: closures.closed_1(eqs, JET._replace(jet=x), KK_Z),
     "jet of a coupling": lambda eqs, x: closures.coupling_numerator(eqs, "theta", "q1", x),
-    "reading": lambda eqs, x: closures.with_reading(eqs, x, (1.0, 1.0)),
+    "reading": lambda eqs, x: with_reading(eqs, x, (1.0, 1.0)),
     "displacement": transfer_functions.displacement_numerator,
     "attitude": transfer_functions.attitude_numerator,
     "gyro": certificates.gain_terms,

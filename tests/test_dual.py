@@ -8,12 +8,13 @@ from numpy.polynomial import polynomial as npp
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim.edition import conclusions
+from rlswaim.edition import causes, conclusions, matching, printed_closures, table_3
 from rlswaim.loops import closures
 from rlswaim.rootlocus.polynomials import roots
+from rlswaim.vehicle.equations import with_reading
 
 EQS = rl.printed_equations()
-LOOP, KK_Z = closures.final_design()
+LOOP, KK_Z = printed_closures.final_design()
 ROWS = [entry for entry in rl.ledger() if entry.section == "VII"]
 STATIONS = st.floats(0, 420)
 
@@ -60,7 +61,7 @@ def test_braces_of_eq_133_give_both_numerators(sensor, jet):
 
 
 def test_eq_135_is_the_numerator_of_alpha():
-    printed = closures.printed_factors("eq135-")
+    printed = printed_closures.printed_factors("eq135-")
     wanted = [0.0, *printed, *(z.conjugate() for z in printed if z.imag)]
     assert worst(roots(closures.jet_numerator(EQS, LOOP, as_printed=True)[:7]), wanted) < 0.005
     assert roots(closures.jet_numerator(EQS, LOOP)).size == len(wanted) - 1
@@ -70,7 +71,7 @@ def test_eq_133_lost_one_product():
     computed = closures.literal_bracket(EQS)[:4, 0, 2]
     entries = {entry.id: entry for entry in ROWS}
     printed = np.array([entries[f"eq133-s{power}-1-F1"].value for power in range(4)])
-    assert np.abs((computed - closures.dropped_product(EQS)) / printed - 1).max() < 0.005
+    assert np.abs((computed - causes.dropped_product(EQS)) / printed - 1).max() < 0.005
     assert np.abs(computed / printed - 1).max() > 0.3
 
 
@@ -79,10 +80,10 @@ def test_jet_moment_has_two_digits_exchanged():
 
 
 def test_fitted_reading_brings_the_printed_roots():
-    printed = closures.printed_factors("text-closure1-")
+    printed = printed_closures.printed_factors("text-closure1-")
     wanted = [0.0, *printed, *(z.conjugate() for z in printed if z.imag)]
-    fitted = closures.fitted_deflections(EQS, LOOP, KK_Z)
-    vehicle = closures.with_reading(EQS, LOOP.sensor, fitted)
+    fitted = printed_closures.fitted_deflections(EQS, LOOP, KK_Z)
+    vehicle = with_reading(EQS, LOOP.sensor, fitted)
     assert [m.deflection(LOOP.sensor) for m in vehicle.modes] == pytest.approx(fitted)
     assert worst(roots(closures.closed_1(vehicle, LOOP, KK_Z)), wanted) < 0.03
     assert worst(roots(closures.closed_1(EQS, LOOP, KK_Z)), wanted) > 0.3
@@ -94,22 +95,22 @@ def test_closure_2_contains_delta_and_the_printed_one_does_not():
     closed = npp.polyadd(opened.num[0][0][::-1], opened.den[0][0][::-1])
     size = npp.polyval(np.abs(delta), np.abs(closed))
     assert np.all(np.abs(npp.polyval(delta, closed)) <= 1e-10 * np.maximum(size, 1))
-    printed = np.array(closures.printed_factors("text-closure2-"))
+    printed = np.array(printed_closures.printed_factors("text-closure2-"))
     assert np.abs(printed[:, None] - delta[delta != 0]).min(axis=0).min() > 0.02
 
 
 @pytest.mark.parametrize("points", [600, 1500])
 def test_table_3(points):
-    pairs = closures.table_3(EQS, points)
+    pairs = table_3.trials(EQS, points)
     assert [p.case for p in pairs] == list(range(1, 25))
-    assert {p.case for p in pairs if p.verdict == "rises throughout"} == {1, 2, 4, 7, 11, 13, 14, 19}
+    assert {p.case for p in pairs if p.outcome == "rises throughout"} == {1, 2, 4, 7, 11, 13, 14, 19}
     assert {p.case for p in pairs if p.steadies} == {1, 4}
-    assert pairs[21].verdict == "higher at the end"
+    assert pairs[21].outcome == "higher at the end"
 
 
 @pytest.mark.parametrize("case", [21, 22, 23, 24])
 def test_last_pairs_stand_where_the_direct_effect_vanishes(case):
-    pair = closures.table_3(EQS, 5)[case - 1]
+    pair = table_3.trials(EQS, 5)[case - 1]
     near = closures.direct_response(EQS, pair.sensor + np.array([-2.5, 2.5]), np.full(2, pair.jet))
     assert near[0] * near[1] < 0
 
@@ -152,4 +153,4 @@ def test_unknown_output_is_told():
 
 
 def test_roots_as_text():
-    assert closures.listed([2, -1 + 2j, -1 - 2j]) == "-1.000 ± 2.000j, 2.000"
+    assert matching.listed([2, -1 + 2j, -1 - 2j]) == "-1.000 ± 2.000j, 2.000"

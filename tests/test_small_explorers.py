@@ -342,7 +342,7 @@ class TestAscent:
 
 class TestCoupledVehicle:
     def test_coefficients_are_those_of_the_library(self):
-        table = coupling_tables.coefficient_table(BOOSTER)
+        table = coupling_tables.coupled_products(BOOSTER)
         factors = {
             "q_D": 900.0,
             "C_payload": 0.03,

@@ -16,13 +16,13 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C
-from rlswaim.loops.closures import final_design
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.edition.section_4 import CLOSED_LOOPS
 from rlswaim.loops.systems import dual_actuation, rate_attitude
 from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, half_unit, printed, read_table
-from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations
+from rlswaim.source.tables import half_unit, printed, read_table
+from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations, printed_coefficients
 
 Reduce = Callable[[NDArray, list[str]], NDArray]
 
@@ -42,7 +42,20 @@ WHOLE = without()
 
 
 def zeros_of_theta(A: NDArray, states: list[str]) -> NDArray:
-    """Return the matrices (..., n - 3, n - 3) of ``A`` while delta keeps theta at rest; ``states`` named."""
+    """Return the state matrices of what still moves while the thrust keeps theta at rest.
+
+    Parameters
+    ----------
+    A : ndarray, shape (..., n, n)
+        State matrices of a loop.
+    states : list of str
+        Names of its states.
+
+    Returns
+    -------
+    ndarray, shape (..., n - 3, n - 3)
+        Their eigenvalues are the zeros of theta over delta.
+    """
     at, thrust = states.index("x_thetadot"), states.index("x_delta")
     rest = [i for i, state in enumerate(states) if state not in ("x_theta", "x_thetadot", "x_delta")]
     delta = -A[..., [at], :][..., rest] / A[..., [at], :][..., [thrust]]
@@ -113,8 +126,7 @@ def sensitivity(loop: Family) -> NDArray:
 
 def half_units() -> NDArray:
     """Return half a unit of the last printed digit of each coefficient, shape (28,)."""
-    text = {row["symbol"]: row["value"] for row in read_table("equations_as_printed")}
-    return np.array([half_unit(text[name]) for name in COEFFICIENTS])
+    return np.array([half_unit(text) for text in printed_coefficients().values()])
 
 
 def monte_carlo(loop: Family, samples: int = 2000, seed: int = 1964) -> NDArray:
@@ -153,10 +165,10 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Fam
     K_A : float
         Amplifier gain of closure 3, for which the report names none; the other gains are printed.
     """
-    number, chosen, (jet, kK_z) = printed("IV"), constants("section_7"), final_design()
+    number, chosen, (jet, kK_z) = printed("IV"), printed("VII", "fig25-"), final_design()
 
     def attitude(gyro: float | None, gain: float, reduce: Reduce = WHOLE) -> Family:
-        K_R = number["eq75-K_R"]
+        K_C, K_R = number["fig8-K_C"], number["eq75-K_R"]
         return family(eqs, lambda e: rate_attitude(e, K_A=gain, K_C=K_C, K_R=K_R, gyro=gyro), reduce)
 
     def closure(gain: float, reduce: Reduce = WHOLE) -> Family:
@@ -173,13 +185,20 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Fam
     return loops | {"closure 2": closure(1.0, zeros_of_theta), "closure 3": closure(K_A)}
 
 
-def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
-    """Return what the printed digits say of each root of some ``loops``, one row for a real root or a pair.
+def root_spreads(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
+    """Return what the printed digits say of each root of some loops, one row for a real root or a pair.
+
+    Parameters
+    ----------
+    loops : mapping of str to Family
+        By a name for the table.
+    samples : int
+        How many sets of coefficients are drawn.
 
     Returns
     -------
     DataFrame
-        Columns: loop; root (1/s, upper one of a pair); spread (standard deviation of so many ``samples``
+        Columns: loop; root (1/s, upper one of a pair); spread (standard deviation of the samples
         over |root|); first order (the same to first order); real part (standard deviation of the real
         part over its size); right (share of samples right of the axis); coefficient (the one that moves
         the root most) and factor (percent of |root| for one percent of that coefficient).
@@ -210,7 +229,7 @@ def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
 
 
 def as_texts(rows: pd.DataFrame) -> pd.DataFrame:
-    """Return the ``rows`` of `table` as texts for a page, with numbers in percent."""
+    """Return the ``rows`` of `root_spreads` as texts for a page, with numbers in percent."""
     latex = {row["symbol"]: f"${row['latex']}$" for row in read_table("coefficients")}
     percent = {
         "spread (%)": "spread",

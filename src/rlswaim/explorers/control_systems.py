@@ -18,6 +18,7 @@ from rlswaim.rootlocus.branches import continuous_branches
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import swaim_booster
 from rlswaim.vehicle.equations import OUTPUTS, STATES, PerturbationEquations, printed_equations
+from rlswaim.vehicle.stations import LENGTH
 
 FEEDBACKS = ("total", "rigid body")
 BRANCHES = {
@@ -72,7 +73,7 @@ class ControlSystem:
 
     def at_factors(self, eqs: PerturbationEquations, **factors: float) -> control.StateSpace:
         """Return the closed loop at given factors: a place of its own, 0 or 420 ft, for each station."""
-        places = dict(zip(self.shapes, (0.0, checks.LENGTH), strict=False))
+        places = dict(zip(self.shapes, (0.0, LENGTH), strict=False))
         pairs: dict[str, dict[float, tuple[float, ...]]] = {"deflection": {}, "slope": {}}
         arm: dict[str, Any] = {}
         for station, entering in self.shapes.items():
@@ -274,7 +275,7 @@ def payload(system: ControlSystem, eqs: PerturbationEquations, forms: Forms) -> 
         },
         "maps": list(system.shapes),
         "vehicle": {
-            "length": checks.LENGTH,
+            "length": LENGTH,
             "thrust": swaim_booster().thrust_station,
             "l_CG": eqs.l_CG,
             "U": eqs.U,

@@ -13,7 +13,7 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determinant_table
+from rlswaim.explorers.coupling_tables import BLOCKS, coupled_products, determinant_table
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.scripts import module
@@ -153,7 +153,7 @@ class CoupledVehicle(LiveView):
         payload = {
             "shapes": {name: values.tolist() for name, values in shapes.items()},
             "surfaces": [s.name for s in booster.surfaces],
-            "coefficients": coefficient_table(booster),
+            "coefficients": coupled_products(booster),
             "determinant": determinant_table(range(4), booster.flight.U),
             "blocks": tables,
             "branches": {name: COLORS[color] for name, color in COLORS_OF.items()},

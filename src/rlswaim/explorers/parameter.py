@@ -14,11 +14,12 @@ import ipywidgets as widgets
 import traitlets
 
 from rlswaim.source import checks
+from rlswaim.vehicle.stations import LENGTH, as_station
 
 Value = float | int | str
 
 
-FEET = tuple(range(int(checks.LENGTH) + 1))
+FEET = tuple(range(int(LENGTH) + 1))
 """The places of a station's slider."""
 
 
@@ -30,7 +31,7 @@ def whole_station(name: str, value: object, where: str) -> int:
     ValueError, TypeError
         If it is not whole, not on the vehicle, or no number.
     """
-    station = checks.station(name, value, where)
+    station = as_station(name, value, where)
     if station != int(station):
         raise ValueError(f"{name} in {where}: got station {station:g} ft, wanted a whole number of feet")
     return int(station)

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
+from rlswaim.edition import table_3
 from rlswaim.edition.conclusions import found_gains
 from rlswaim.explorers import presets
 from rlswaim.explorers.control_systems import DUAL_ACTUATION
@@ -17,7 +18,6 @@ from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.stations import draw_station_map
 from rlswaim.figures.style import COLORS
-from rlswaim.loops.closures import table_3_pairs
 from rlswaim.loops.station_maps import station_map
 from rlswaim.vehicle.equations import PerturbationEquations
 
@@ -46,7 +46,7 @@ class StationMap(LiveView):
             "terms": [term._asdict() for term in DUAL_ACTUATION.polynomial(eqs).terms],
             "shapes": DUAL_ACTUATION.shape_values(eqs),
             "worker": module("map_worker"),
-            "pairs": [{"case": case, "sensor": int(z), "jet": int(r)} for case, z, r in table_3_pairs()],
+            "pairs": [{"case": case, "sensor": int(z), "jet": int(r)} for case, z, r in table_3.pairs()],
             "palette": [to_hex(colormaps["PuOr_r"](place)) for place in np.linspace(0, 1, 129)],
             "colors": {"pair": COLORS["rigid"], "table": COLORS["neutral"]},
             "presets": [{"name": n, "label": "gains and stations", "values": v} for n, v in chosen.items()],

@@ -7,8 +7,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import CenteredNorm
 
+from rlswaim.edition.table_3 import Trial
 from rlswaim.figures.style import COLORS
-from rlswaim.loops.closures import Stiffening, direct_response
+from rlswaim.loops.closures import direct_response
 from rlswaim.rootlocus.locus import RootLocus
 from rlswaim.vehicle.equations import PerturbationEquations
 
@@ -19,14 +20,14 @@ LOOKS = {
 }
 
 
-def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquations) -> Axes:
+def draw_table_3(ax: Axes, pairs: Sequence[Trial], eqs: PerturbationEquations) -> Axes:
     """Draw Table 3: a marker for each pair of stations, and where the jet has no direct effect at the sensor.
 
     Parameters
     ----------
     ax : Axes
-    pairs : sequence of Stiffening
-        From `rlswaim.loops.closures.table_3`; a ring marks pairs that leave no root right of the axis
+    pairs : sequence of Trial
+        From `rlswaim.edition.table_3.trials`; a ring marks pairs that leave no root right of the axis
         at some gain.
     eqs : PerturbationEquations
 
@@ -44,9 +45,9 @@ def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquatio
         linestyles="--",
     )
     ax.plot([], [], "--", color=COLORS["jet"], label="no direct effect: Σ φ(z) φ(r)/m = 0")
-    for verdict, (marker, color) in LOOKS.items():
-        chosen = [p for p in pairs if p.verdict == verdict]
-        ax.plot([p.sensor for p in chosen], [p.jet for p in chosen], marker, ms=7, color=color, label=verdict)
+    for outcome, (marker, color) in LOOKS.items():
+        chosen = [p for p in pairs if p.outcome == outcome]
+        ax.plot([p.sensor for p in chosen], [p.jet for p in chosen], marker, ms=7, color=color, label=outcome)
     steady = [p for p in pairs if p.steadies]
     ax.plot(
         [p.sensor for p in steady],

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.style import COLORS
 from rlswaim.rootlocus.locus import RootLocus
-from rlswaim.source.checks import LENGTH
 from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.stations import LENGTH
 
 
 def _along_the_vehicle(ax: Axes) -> Axes:

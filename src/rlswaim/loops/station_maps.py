@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.loops.sweep import sweep
 from rlswaim.loops.systems import dual_actuation
-from rlswaim.source import checks
 from rlswaim.vehicle.equations import PerturbationEquations
 from rlswaim.vehicle.modes import BendingMode
+from rlswaim.vehicle.stations import LENGTH, as_stations
 
-SAMPLES = np.linspace(0, checks.LENGTH, 9)
+SAMPLES = np.linspace(0, LENGTH, 9)
 """Stations (ft) at which closed loops are built; four would do."""
 
 
@@ -57,8 +57,8 @@ class DualActuationFamily:
 
     def matrices(self, sensor: ArrayLike, jet: ArrayLike) -> NDArray:
         """Return the state matrices (m, 9, 9) at m sensor and m jet stations (ft)."""
-        x = checks.stations("sensor", np.atleast_1d(sensor), "DualActuationFamily")
-        y = checks.stations("jet", np.atleast_1d(jet), "DualActuationFamily")
+        x = as_stations("sensor", np.atleast_1d(sensor), "DualActuationFamily")
+        y = as_stations("jet", np.atleast_1d(jet), "DualActuationFamily")
         A = np.repeat(self.matrix[None], x.size, axis=0)
         A[:, :, self.jet_state] = _basis(self.modes, y) @ self.columns
         A[:, self.jet_state, :] = _basis(self.modes, x) @ self.rows
@@ -111,8 +111,8 @@ def station_map(
     return sweep(
         family,
         {
-            "sensor": checks.stations("sensors", sensors, "station_map"),
-            "jet": checks.stations("jets", jets, "station_map"),
+            "sensor": as_stations("sensors", sensors, "station_map"),
+            "jet": as_stations("jets", jets, "station_map"),
         },
         executor,
         name="spectral_abscissa",

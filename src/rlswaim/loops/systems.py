@@ -14,6 +14,7 @@ import numpy as np
 
 from rlswaim.source import checks
 from rlswaim.vehicle.equations import JET_STATION, STATES, PerturbationEquations
+from rlswaim.vehicle.stations import as_station
 
 
 def _sensor(name: str, weights: dict[str, float]) -> control.StateSpace:
@@ -137,7 +138,7 @@ def rate_attitude(
     The control law is Eq. 58; the characteristic equation is that of Eqs. 59 and 83.
     """
     K_A, K_C, K_R = _gains("rate_attitude", eqs, K_A=K_A, K_C=K_C, K_R=K_R)
-    station = None if gyro is None else checks.station("gyro", gyro, "rate_attitude")
+    station = None if gyro is None else as_station("gyro", gyro, "rate_attitude")
     return _closed_loop(
         "rate_attitude",
         [
@@ -215,7 +216,7 @@ def single_sensor(
     Figures 12 to 14, Eqs. 98 to 110.
     """
     K_A, K_C, K_R, K_z = _gains("single_sensor", eqs, K_A=K_A, K_C=K_C, K_R=K_R, K_z=K_z)
-    station = checks.station("sensor", sensor, "single_sensor")
+    station = as_station("sensor", sensor, "single_sensor")
     return _inner_loop_system("single_sensor", eqs, K_A, K_C, K_R, [_displacement(eqs, "z", K_z, station)])
 
 
@@ -260,7 +261,7 @@ def two_sensor(
     """
     K_A, K_C, K_R, K_za, K_zb = _gains("two_sensor", eqs, K_A=K_A, K_C=K_C, K_R=K_R, K_za=K_za, K_zb=K_zb)
     at = [
-        checks.station(name, value, "two_sensor")
+        as_station(name, value, "two_sensor")
         for name, value in (("sensor_a", sensor_a), ("sensor_b", sensor_b))
     ]
     return _inner_loop_system(
@@ -321,7 +322,7 @@ def dual_actuation(
     K_A, K_C, K_R, kK_z, K_r, b = _gains(
         "dual_actuation", eqs, K_A=K_A, K_C=K_C, K_R=K_R, kK_z=kK_z, K_r=K_r, b=b
     )
-    at = [checks.station(name, value, "dual_actuation") for name, value in (("sensor", sensor), ("jet", jet))]
+    at = [as_station(name, value, "dual_actuation") for name, value in (("sensor", sensor), ("jet", jet))]
     return _closed_loop(
         "dual_actuation",
         [

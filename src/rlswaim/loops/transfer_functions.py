@@ -19,6 +19,7 @@ from rlswaim.rootlocus.locus import RootLocus, root_locus
 from rlswaim.rootlocus.polynomials import roots, trimmed
 from rlswaim.source import checks
 from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
+from rlswaim.vehicle.stations import as_stations
 
 Closed = Sequence[tuple[float, float]]
 
@@ -216,7 +217,7 @@ def inner_loop(
 
 def sensor_zeros(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
     """Return the zeros (1/s) of Eq. 119 but the origin, from ``eqs`` at ``stations`` (ft); shape (K, 4)."""
-    return np.array([roots(elastic_numerator(eqs, x)[1:]) for x in checks.stations("stations", stations)])
+    return np.array([roots(elastic_numerator(eqs, x)[1:]) for x in as_stations("stations", stations)])
 
 
 def open_loop_parts(eqs: PerturbationEquations, K_C: float) -> dict[str, NDArray]:
@@ -308,7 +309,7 @@ def stiffening(eqs: PerturbationEquations, K_C: float, stations: ArrayLike) -> d
     dict of str to ndarray, shape (K,)
         d|s|/dK_z of ``"mode 1"`` and ``"mode 2"`` (ft/s^2/rad): two equal signs stiffen both modes.
     """
-    top = np.array([K_C * displacement_numerator(eqs, x) for x in checks.stations("stations", stations)])
+    top = np.array([K_C * displacement_numerator(eqs, x) for x in as_stations("stations", stations)])
     slope = npp.polyder(denominator(eqs, K_C))
     found = {}
     for name in ("mode 1", "mode 2"):

@@ -8,7 +8,7 @@ beside `rlswaim.loops.transfer_functions`.
 import control
 import numpy as np
 
-from rlswaim.edition.section_4 import K_C
+from rlswaim.edition.printed_closures import final_design, printed_closure_2
 from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import RigidBody, rigid_body
 from rlswaim.loops.transfer_functions import transfer
@@ -16,10 +16,10 @@ from rlswaim.source.tables import printed
 from rlswaim.vehicle.coupling import partition
 from rlswaim.vehicle.equations import PerturbationEquations
 
-Paths = dict[str, control.TransferFunction]
+Loops = dict[str, control.TransferFunction]
 
 
-def coupling_loops(eqs: PerturbationEquations) -> Paths:
+def coupling_loops(eqs: PerturbationEquations) -> Loops:
     """Return coupling over uncoupled part of Eq. 42: the gain is the strength of the coupling, 1 in flight.
 
     The report compares Eq. 51, not over U, with Eq. 50, over U, as if both had one scale.
@@ -33,22 +33,22 @@ def coupling_loops(eqs: PerturbationEquations) -> Paths:
     }
 
 
-def _rigid_loop(body: RigidBody, K_R: float) -> control.TransferFunction:
+def _rigid_loop(body: RigidBody, K_C: float, K_R: float) -> control.TransferFunction:
     top = K_C * np.convolve([1.0, K_R], [body.g_0, body.g_1])
     return transfer(top, np.convolve([K_C, 1.0], [0.0, body.c_0, body.c_1, 1.0]))
 
 
-def rigid_loops(eqs: PerturbationEquations) -> Paths:
+def rigid_loops(eqs: PerturbationEquations) -> Loops:
     """Return the rigid body's attitude loop for K_A = 1: Eq. 61 as printed, and all of it over U."""
     p = printed("IV")
     as_printed = RigidBody(**{name: p[f"eq61-{name}"] for name in ("c_0", "c_1", "g_0", "g_1")})
     bodies = {"report": as_printed, "corrected": rigid_body(eqs)}
-    return {name: _rigid_loop(body, p["eq75-K_R"]) for name, body in bodies.items()}
+    return {name: _rigid_loop(body, p["fig8-K_C"], p["eq75-K_R"]) for name, body in bodies.items()}
 
 
-def closure_2_loops(eqs: PerturbationEquations) -> Paths:
+def closure_2_loops(eqs: PerturbationEquations) -> Loops:
     """Return closure 2's open loop, closed at gain 1: Eq. 136 as printed, and with theta/delta_r."""
     return {
-        "report": closures.printed_closure_2(),
-        "corrected": closures.closure_2(eqs, *closures.final_design()),
+        "report": printed_closure_2(),
+        "corrected": closures.closure_2(eqs, *final_design()),
     }
