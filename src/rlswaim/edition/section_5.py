@@ -6,8 +6,9 @@ from numpy.polynomial import polynomial as npp
 
 from rlswaim.edition.matching import KINDS, printed_roots, roots_beside
 from rlswaim.edition.section_4 import K_C
+from rlswaim.loops.factors import factored, from_factors
 from rlswaim.loops.rigid_body_design import WANTED
-from rlswaim.loops.transfer_functions import factors, from_factors, inner_loop
+from rlswaim.loops.transfer_functions import inner_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import printed_equations
@@ -54,7 +55,7 @@ def computed() -> dict[str, float]:
     followed along the printed zeros.
     """
     eqs = printed_equations()
-    gain, zeros, _ = factors(inner_loop(eqs, K_C, SENSOR))
+    gain, zeros, _ = factored(inner_loop(eqs, K_C, SENSOR))
     outer = printed_outer_loop()
     short = root_locus(outer, [39.0]).roots[0]
     at = min(short[short.imag > 0], key=lambda s: abs(s - WANTED))

@@ -5,7 +5,8 @@ import control
 from rlswaim.edition.matching import printed_roots, roots_beside
 from rlswaim.edition.section_4 import K_C
 from rlswaim.edition.section_5 import printed_poles
-from rlswaim.loops.transfer_functions import factors, from_factors, inner_loop
+from rlswaim.loops.factors import factored, from_factors
+from rlswaim.loops.transfer_functions import inner_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import printed_equations
@@ -31,7 +32,7 @@ def computed() -> dict[str, float]:
     The zeros of Eq. 115 come from the equations of motion and the mode shapes; the poles of
     Eq. 118 are followed along the printed zeros.
     """
-    gain, zeros, _ = factors(inner_loop(printed_equations(), K_C, SENSOR_A))
+    gain, zeros, _ = factored(inner_loop(printed_equations(), K_C, SENSOR_A))
     choices = {"fig19-K_C": K_C, "fig19-sensor": SENSOR_A, "fig20-K_C": K_C, "fig20-K_za": K_ZA}
     choices |= {"fig20-sensor_a": SENSOR_A, "fig20-sensor_b": SENSOR_B}
     return (

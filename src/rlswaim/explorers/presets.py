@@ -9,8 +9,8 @@ from rlswaim.edition.search import winners
 from rlswaim.edition.section_4 import K_C
 from rlswaim.explorers.parameter import Value
 from rlswaim.loops import closures
+from rlswaim.loops.factors import as_text
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source.tables import read_table
 from rlswaim.vehicle.equations import PerturbationEquations
 
