@@ -41,12 +41,26 @@ def found_gains(system: str) -> dict[str, float]:
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
-    """Return the closed loop of a ``system`` with the gains found by hand, as state space."""
+    """Return the closed loop of a system with the gains found by hand, as state space.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        ``"dual_actuation"``.
+    """
     return closed_loops.state_space(eqs, system, found_gains(system))
 
 
 def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
-    """Return the characteristic polynomial of the same ``system`` from determinants, constant term first."""
+    """Return the characteristic polynomial of the same system from determinants, constant term first.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        ``"dual_actuation"``.
+    """
     return closed_loops.polynomial(eqs, system, found_gains(system))
 
 
@@ -78,12 +92,25 @@ def unstable_root(booster: Booster) -> float:
 
 
 def stiffened(booster: Booster, factor: float) -> Booster:
-    """Return the vehicle with both free-free frequencies multiplied by a ``factor``."""
+    """Return the vehicle with both free-free frequencies multiplied by one factor.
+
+    Parameters
+    ----------
+    booster : Booster
+    factor : float
+    """
     return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
 
 
 def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
-    """Return the vehicle with the lift of ``payload`` surface and ``fins`` multiplied by these factors."""
+    """Return the vehicle with the lift of its surfaces multiplied by factors.
+
+    Parameters
+    ----------
+    booster : Booster
+    payload, fins : float
+        Factors on the payload's surface and on the fins.
+    """
     pairs = zip(booster.surfaces, (payload, fins), strict=True)
     return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
 

@@ -43,7 +43,18 @@ WHOLE = without()
 
 
 def zeros_of_theta(A: NDArray, states: list[str]) -> NDArray:
-    """Return the matrices (..., n - 3, n - 3) of ``A`` while delta keeps theta at rest; ``states`` named."""
+    """Return the state matrices that are left while delta keeps theta at rest.
+
+    Parameters
+    ----------
+    A : ndarray, shape (..., n, n)
+    states : list of str
+        Names of the n states.
+
+    Returns
+    -------
+    ndarray, shape (..., n - 3, n - 3)
+    """
     at, thrust = states.index("x_thetadot"), states.index("x_delta")
     rest = [i for i, state in enumerate(states) if state not in ("x_theta", "x_thetadot", "x_delta")]
     delta = -A[..., [at], :][..., rest] / A[..., [at], :][..., [thrust]]
@@ -179,12 +190,18 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Loo
 
 
 def table(loops: Mapping[str, LoopInCoefficients], samples: int = 2000) -> pd.DataFrame:
-    """Return what the printed digits say of each root of some ``loops``, one row for a real root or a pair.
+    """Return what the printed digits say of each root of some loops, one row for a real root or a pair.
+
+    Parameters
+    ----------
+    loops : mapping of str to LoopInCoefficients
+    samples : int
+        Sets of coefficients in each loop's Monte Carlo.
 
     Returns
     -------
     DataFrame
-        Columns: loop; root (1/s, upper one of a pair); spread (standard deviation of so many ``samples``
+        Columns: loop; root (1/s, upper one of a pair); spread (standard deviation of the samples
         over |root|); first order (the same to first order); real part (standard deviation of the real
         part over its size); right (share of samples right of the axis); coefficient (the one that moves
         the root most) and factor (percent of |root| for one percent of that coefficient).

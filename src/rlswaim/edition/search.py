@@ -60,7 +60,19 @@ def slow_roots(poles: NDArray) -> NDArray:
 
 
 def abscissas(poles: NDArray, apart: bool) -> NDArray:
-    """Return the largest real part (1/s) in each row of ``poles`` (S, n), a slow real one set ``apart``."""
+    """Return the largest real part (1/s) in each row of poles, a slow real one set apart or not.
+
+    Parameters
+    ----------
+    poles : ndarray of complex, shape (S, n)
+        In 1/s.
+    apart : bool
+        Whether a slow real root does not count.
+
+    Returns
+    -------
+    ndarray, shape (S,)
+    """
     at, slow = np.abs(poles).argmin(axis=1)[:, None], apart & ~np.isnan(slow_roots(poles))[:, None]
     return np.where(slow & (np.arange(poles.shape[1]) == at), -np.inf, poles.real).max(axis=1)
 
@@ -155,10 +167,19 @@ def winners() -> tuple[Found, ...]:
 
 
 def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str, str]]:
-    """Return the winners of one ``system`` as columns of texts, the bounds in the first.
+    """Return the winners of one system as columns of texts, the bounds in the first.
 
-    The rows are its gains and stations, then, for the vehicle of ``eqs``: the largest real part
-    counted, from the wired state space and from determinants, the slow root, its time constant.
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        One of `LOOPS`.
+
+    Returns
+    -------
+    dict of str to dict of str to str
+        The rows are the gains and stations, then the largest real part counted, from the wired
+        state space and from determinants, the slow root and its time constant.
     """
     rows = bounds(system)
     columns = {"between": {_named(n, r): _between(r) for n, r in rows.items()}}

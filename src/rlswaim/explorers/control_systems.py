@@ -69,13 +69,7 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
             },
         },
         "maps": list(view.system.stations),
-        "vehicle": {
-            "length": checks.LENGTH,
-            "thrust": swaim_booster().thrust_station,
-            "l_CG": eqs.l_CG,
-            "U": eqs.U,
-            **{f"phi_{i + 1}": values_at_feet(eqs, "deflection", i) for i in range(2)},
-        },
+        "vehicle": _vehicle(eqs),
         "presets": presets(view.section, eqs, view.loci),
         "python": {
             "function": view.system.function.__name__,
@@ -83,6 +77,17 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
             "arguments": {name: name for name in (*view.gains, *view.system.stations)},
             "none": {"gyro": {"feedback": "rigid body"}} if view.choice else {},
         },
+    }
+
+
+def _vehicle(eqs: PerturbationEquations) -> dict[str, Any]:
+    """Return what a picture of the bent vehicle needs: stations (ft), speed (ft/s) and mode shapes."""
+    return {
+        "length": checks.LENGTH,
+        "thrust": swaim_booster().thrust_station,
+        "l_CG": eqs.l_CG,
+        "U": eqs.U,
+        **{f"phi_{i + 1}": values_at_feet(eqs, "deflection", i) for i in range(2)},
     }
 
 

@@ -44,7 +44,14 @@ class View:
         return "gyro" in self.system.optional
 
     def closed_loop(self, eqs: PerturbationEquations, **values: Any) -> control.StateSpace:
-        """Return the closed loop of the library at the sliders' ``values`` around ``eqs``."""
+        """Return the closed loop of the library at the sliders' values.
+
+        Parameters
+        ----------
+        eqs : PerturbationEquations
+        **values : float or str
+            By parameter.
+        """
         if values.pop("feedback", "total") == "rigid body":
             values["gyro"] = None
         return self.system.function(eqs, **values)
