@@ -33,7 +33,7 @@ POLYNOMIALS = {
     "Eq. 41": lambda eqs: eqs.characteristic_polynomial()[1:],
     "Eq. 92, zeros": lambda eqs: eqs.numerator("theta", "delta")[:6],
     "Figure 8": figure_8,
-    "closure 1": lambda eqs: closures.closed_1(eqs, JET, KK_Z)[1:],
+    "closure 1": lambda eqs: closures.closure_1_polynomial(eqs, JET, KK_Z)[1:],
     "closure 2": lambda eqs: closures.theta_numerator(eqs, JET, KK_Z)[:7],
 }
 """The same roots by determinants, which share no line with the state matrices."""
@@ -117,7 +117,7 @@ def test_unstable_root_moves_by_a_fifth_of_each_coefficient():
 
 def test_loop_that_works_stays_stable_within_the_digits():
     works = conditioning.root_spreads(
-        {"it": conditioning.family(EQS, lambda e: closed_loop(e, "dual_actuation"))}
+        {"it": conditioning.loop_in_coefficients(EQS, lambda e: closed_loop(e, "dual_actuation"))}
     )
     assert (works.right == 0).all()
     assert works.spread.max() == pytest.approx(0.057, abs=0.003)

@@ -248,7 +248,7 @@ def test_printed_roots_of_closure_1_break_the_sum_rule():
     """A loop with two more poles than zeros keeps the sum of its roots when it is closed."""
     found = printed_closures.printed_factors("text-closure1-")
     loop, kK_z = printed_closures.final_design()
-    kept = roots(closures.closed_1(EQS, loop, kK_z)).sum().real
+    kept = roots(closures.closure_1_polynomial(EQS, loop, kK_z)).sum().real
     rounding = sum(2 * half_unit(ENTRIES[f"text-closure1-{c}-re"].printed) for c in ("c1", "c2"))
     assert abs(sum((2 if z.imag else 1) * z.real for z in found) - kept) > 5 * rounding
 

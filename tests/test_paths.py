@@ -152,7 +152,7 @@ def test_closure_2_both_ways():
 
 def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
     report = printed_closures.printed_closure_3(1, 0.286)
-    corrected = closures.closure_3(EQS, JET, KK_Z, 1, 0.286)
+    corrected = closures.closure_3_open_loop(EQS, JET, KK_Z, 1, 0.286)
     assert (report.poles().size, corrected.poles().size) == (16, 9)
     assert [int((loop.poles().real > 1e-9).sum()) for loop in (report, corrected)] == [4, 1]
     counts = [int((at(report, gain).real > 1e-9).sum()) for gain in (1e-4, 7.3e-4, 7.5e-4, 1.0, 100.0)]
@@ -172,7 +172,9 @@ def test_starting_rates_are_those_of_the_roots_themselves():
     phi = table_3_readings.deflections(EQS, loop) * [1.04, 0.97, 0.95, 1.05]
     eqs, small = table_3_readings.read_so(EQS, loop, phi), 1e-3
     rates = table_3_readings.starting_rates(EQS, loop, phi[None])[0]
-    ends = [[abs(r) for r in upper(roots(closures.closed_1(eqs, loop, k)))] for k in (small, -small)]
+    ends = [
+        [abs(r) for r in upper(roots(closures.closure_1_polynomial(eqs, loop, k)))] for k in (small, -small)
+    ]
     np.testing.assert_allclose((np.array(ends[0]) - ends[1]) / (2 * small), rates, rtol=1e-4)
 
 

@@ -16,10 +16,9 @@ from scipy.optimize import linear_sum_assignment
 import rlswaim as rl
 from rlswaim import explorers
 from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
-from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.scripts import module
-from rlswaim.loops import station_maps
+from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.rootlocus.polynomials import characteristic_polynomial
 from rlswaim.vehicle import trajectory
 from standin import go_to_empty_page
@@ -502,12 +501,12 @@ class TestStationMap:
                 [module("abscissa"), view.payload, gains],
             )
         for at, rows in zip(gains, found, strict=True):
-            family = station_maps.DualActuationFamily.of(PRINTED, **at)
+            loops = DUAL_ACTUATION.around(PRINTED)
             cells = [(jet, n * step, v) for step, jet, values in rows for n, v in enumerate(values)]
             picked = [cells[k] for k in rng.integers(len(cells), size=400)]
             jets, sensors, values = (np.array(c) for c in zip(*picked, strict=True))
-            ours = family(sensors, jets)
-            size = abs(np.linalg.eigvals(family.matrices(sensors, jets))).max(axis=1)
+            ours = loops.abscissas(**at, sensor=sensors, jet=jets)
+            size = abs(np.linalg.eigvals(loops.matrices(**at, sensor=sensors, jet=jets))).max(axis=1)
             assert (abs(values - ours) <= 1e-8 * np.maximum(1, size)).all(), at
 
     def test_map_comes_coarse_first_and_is_whole_in_the_end(self, browser):

@@ -17,7 +17,7 @@ from rlswaim.edition.section_4 import closed_loop_roots
 from rlswaim.edition.section_5 import quartic
 from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import RigidBody, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import closed_polynomial, displacement_numerator
+from rlswaim.loops.transfer_functions import closed_polynomial, displacement_numerator, elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import constants, printed, read_table
 from rlswaim.vehicle.equations import ROWS, PerturbationEquations, printed_equations, with_reading
@@ -110,7 +110,8 @@ def _readings(eqs: PerturbationEquations) -> dict[str, float]:
 
 def _eq136_zeros(eqs: PerturbationEquations, loop: closures.JetLoop) -> NDArray:
     before = printed_factors("eq135-")
-    return np.array([-loop.b, *before, *roots(closures.elastic_numerator(eqs, "delta", loop)[:6])[1:]])
+    elastic = roots(elastic_numerator(eqs, loop.sensor, "delta", loop.jet)[:6])
+    return np.array([-loop.b, *before, *elastic[1:]])
 
 
 def printed_bracket() -> NDArray:

@@ -11,7 +11,7 @@ from scipy.linalg import solve_continuous_lyapunov
 
 from rlswaim.edition.designs import found_gains
 from rlswaim.edition.search import abscissas, search, slow_bound, slow_roots
-from rlswaim.loops import family
+from rlswaim.loops import closed_loops
 from rlswaim.loops.certificates import slow_root_certificate
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
 from rlswaim.rootlocus.polynomials import roots
@@ -35,13 +35,27 @@ def margin(poles: NDArray) -> Margin:
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
-    """Return the closed loop of a ``system`` with the gains found by hand, as state space."""
-    return family.closed_loop(eqs, system, found_gains(system))
+    """Return the closed loop of a system with the gains found by hand, as state space.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        ``"dual_actuation"``.
+    """
+    return closed_loops.state_space(eqs, system, found_gains(system))
 
 
 def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
-    """Return the characteristic polynomial of the same ``system`` from determinants, constant term first."""
-    return family.determinants(eqs, system, found_gains(system))
+    """Return the characteristic polynomial of the same system from determinants, constant term first.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        ``"dual_actuation"``.
+    """
+    return closed_loops.polynomial(eqs, system, found_gains(system))
 
 
 def interlacing(eqs: PerturbationEquations) -> tuple[float, float]:
@@ -178,7 +192,7 @@ def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
     eqs = perturbation_equations(stiff)
     design = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=0.5, K_C=10)
     chosen = found_gains("dual_actuation") | {"kK_z": kK_z, "K_A": design.K_A, "K_R": design.K_R}
-    loop = family.closed_loop(eqs, "dual_actuation", chosen)
+    loop = closed_loops.state_space(eqs, "dual_actuation", chosen)
     gust = loop.B[:, [loop.input_labels.index("alpha_g")]]
     covariance = loop.C @ solve_continuous_lyapunov(loop.A, -gust @ gust.T) @ loop.C.T
     rms = dict(zip(loop.output_labels, np.sqrt(np.diag(covariance)), strict=True))

@@ -50,5 +50,5 @@ def closure_2_loops(eqs: PerturbationEquations) -> Loops:
     """Return closure 2's open loop, closed at gain 1: Eq. 136 as printed, and with theta/delta_r."""
     return {
         "report": printed_closure_2(),
-        "corrected": closures.closure_2(eqs, *final_design()),
+        "corrected": closures.closure_2_open_loop(eqs, *final_design()),
     }

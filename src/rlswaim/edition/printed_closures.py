@@ -5,7 +5,7 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 
 from rlswaim.loops.closures import JetLoop
-from rlswaim.loops.transfer_functions import from_factors
+from rlswaim.loops.factors import from_factors
 from rlswaim.source import checks
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import PerturbationEquations

@@ -4,8 +4,9 @@ import numpy as np
 
 from rlswaim.edition.matching import as_written, choices, roots_beside
 from rlswaim.loops.certificates import gain_terms, gains_for_pole
+from rlswaim.loops.factors import factored
 from rlswaim.loops.rigid_body_design import WANTED, RigidBody, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import denominator, factors, theta_loop
+from rlswaim.loops.transfer_functions import denominator, theta_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import printed
@@ -109,7 +110,7 @@ def _transfer_functions(eqs: PerturbationEquations, p: dict[str, float]) -> dict
         found[f"eq{number}-gain"] = float(numerator[5])
         found |= roots_beside("IV", f"eq{number}-z", roots(numerator))
     found |= roots_beside("IV", "eq92-p", roots(denominator(eqs, p["fig8-K_C"])))
-    gain, zeros, _ = factors(theta_loop(eqs, 1.0, 1.0, 60))
+    gain, zeros, _ = factored(theta_loop(eqs, 1.0, 1.0, 60))
     found |= {"eq95-gain": gain} | roots_beside("IV", "eq95-z", zeros[np.abs(zeros + 1) > 1e-9])
     return found | {"fig8-limit": max(abs(zeros))}
 

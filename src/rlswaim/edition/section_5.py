@@ -5,8 +5,9 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 
 from rlswaim.edition.matching import KINDS, choices, printed_roots, roots_beside
+from rlswaim.loops.factors import factored, from_factors
 from rlswaim.loops.rigid_body_design import WANTED
-from rlswaim.loops.transfer_functions import factors, from_factors, inner_loop
+from rlswaim.loops.transfer_functions import inner_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import printed_equations
@@ -68,7 +69,7 @@ def computed() -> dict[str, float]:
     """
     eqs = printed_equations()
     chosen, outer = printed("V", "fig16-"), printed_outer_loop()
-    gain, zeros, _ = factors(inner_loop(eqs, chosen["K_C"], chosen["sensor"]))
+    gain, zeros, _ = factored(inner_loop(eqs, chosen["K_C"], chosen["sensor"]))
     short = root_locus(outer, [chosen["K_A"]]).roots[0]
     at = min(short[short.imag > 0], key=lambda s: abs(s - WANTED))
     return {

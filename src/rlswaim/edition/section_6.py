@@ -4,7 +4,8 @@ import control
 
 from rlswaim.edition.matching import choices, printed_roots, roots_beside
 from rlswaim.edition.section_5 import printed_poles
-from rlswaim.loops.transfer_functions import factors, from_factors, inner_loop
+from rlswaim.loops.factors import factored, from_factors
+from rlswaim.loops.transfer_functions import inner_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import printed_equations
@@ -31,7 +32,7 @@ def computed() -> dict[str, float]:
     """
     chosen = printed("VI", "fig20-")
     K_C = chosen["K_C"]
-    gain, zeros, _ = factors(inner_loop(printed_equations(), K_C, chosen["sensor_a"]))
+    gain, zeros, _ = factored(inner_loop(printed_equations(), K_C, chosen["sensor_a"]))
     return (
         choices("VI")
         | {"eq115-gain": gain / K_C, "eq118-gain": K_C * printed("V")["eq108-gain"]}

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.edition.printed_closures import final_design
-from rlswaim.loops.closures import JetLoop, closure_1
+from rlswaim.loops.closures import JetLoop, closure_1_open_loop
 from rlswaim.rootlocus.locus import RootLocus, root_locus
 from rlswaim.source import checks
 from rlswaim.source.tables import column
@@ -102,7 +102,7 @@ def trial(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) 
     -------
     Trial
     """
-    opened = closure_1(eqs, loop)
+    opened = closure_1_open_loop(eqs, loop)
     found = [_trial(eqs, case, loop, sign, root_locus(opened, sign * gains)) for sign in (1, -1)]
     return max(found, key=lambda s: (OUTCOMES.index(s.outcome), min(s.factors)))
 

@@ -9,11 +9,12 @@ import ipywidgets as widgets
 import traitlets
 from matplotlib.axes import Axes
 
-from rlswaim.explorers.control_systems import SYSTEMS, payload
+from rlswaim.explorers.control_systems import payload
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.presets import COMPARED
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import draw_locus, still
+from rlswaim.explorers.system_views import VIEWS
 from rlswaim.source import checks
 from rlswaim.source.tables import script
 from rlswaim.vehicle.equations import PerturbationEquations
@@ -39,7 +40,7 @@ class Comparison(anywidget.AnyWidget):
     def __init__(self, eqs: PerturbationEquations) -> None:
         checks.instance("eqs", eqs, PerturbationEquations, "comparison")
         self._eqs = eqs
-        systems = {section: payload(system, eqs, system.forms(eqs)) for section, system in SYSTEMS.items()}
+        systems = {section: payload(view, eqs, view.system.forms(eqs)) for section, view in VIEWS.items()}
         chosen = [(section, at) for section, sent in systems.items() for at in range(len(sent["presets"]))]
         self._presets: list[tuple[str, dict[str, Any]]] = [
             (section, systems[section]["presets"][at]) for section, at in chosen
@@ -87,7 +88,7 @@ class Comparison(anywidget.AnyWidget):
 
     def _varied(self, side: str, **changes: float) -> control.StateSpace:
         section = self._presets[getattr(self, checks.one_of("side", side, SIDES))][0]
-        return SYSTEMS[section].closed_loop(self._eqs, **{**self.values(side), **changes})
+        return VIEWS[section].closed_loop(self._eqs, **{**self.values(side), **changes})
 
     def draw(self, ax: Axes, side: str) -> Axes:
         """Draw the root locus of the design on a ``side`` in the gain K_A, which is closed last."""

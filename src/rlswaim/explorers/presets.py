@@ -8,8 +8,8 @@ from rlswaim.edition.matching import printed_roots
 from rlswaim.edition.printed_closures import printed_factors
 from rlswaim.edition.search import winners
 from rlswaim.explorers.parameter import Value
+from rlswaim.loops.factors import as_text
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source.tables import read_table
 from rlswaim.vehicle.equations import PerturbationEquations
 

@@ -11,11 +11,11 @@ from matplotlib.colors import to_hex
 from rlswaim.edition import table_3
 from rlswaim.edition.conclusions import found_gains
 from rlswaim.explorers import presets
-from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
+from rlswaim.explorers.system_views import DUAL_ACTUATION
 from rlswaim.figures.stations import draw_station_map
 from rlswaim.figures.style import COLORS
 from rlswaim.loops.station_maps import station_map
@@ -43,7 +43,7 @@ class StationMap(LiveView):
     ) -> None:
         self._eqs, chosen = eqs, designs()
         payload = {
-            "terms": [term._asdict() for term in DUAL_ACTUATION.polynomial(eqs).terms],
+            "terms": [term._asdict() for term in DUAL_ACTUATION.system.polynomial(eqs).terms],
             "shapes": DUAL_ACTUATION.shape_values(eqs),
             "worker": module("map_worker"),
             "pairs": [{"case": case, "sensor": int(z), "jet": int(r)} for case, z, r in table_3.pairs()],

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.style import COLORS
-from rlswaim.loops.transfer_functions import Closure
+from rlswaim.loops.named_branches import NamedLocus
 from rlswaim.rootlocus.locus import RootLocus
 
 STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": (0, (5, 1, 1, 1, 1, 1))}
@@ -105,10 +105,24 @@ def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:
     return ax
 
 
-def draw_closure(ax: Axes, closure: Closure, window: Window, label: str) -> Axes:
-    """Draw a ``closure`` on ``ax`` (``window`` as in `draw_root_locus`), its poles with a ``label``."""
-    draw_root_locus(ax, closure.locus, window, closure.parts)
-    return draw_poles(ax, closure.poles, label)
+def draw_named_locus(ax: Axes, named: NamedLocus, window: Window, label: str) -> Axes:
+    """Draw a locus with names, and the closed-loop poles at its end.
+
+    Parameters
+    ----------
+    ax : Axes
+    named : NamedLocus
+    window : tuple of float
+        As in `draw_root_locus`.
+    label : str
+        Of the poles.
+
+    Returns
+    -------
+    Axes
+    """
+    draw_root_locus(ax, named.locus, window, named.parts)
+    return draw_poles(ax, named.poles, label)
 
 
 def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: str, ylabel: str) -> Axes:

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim.loops import transfer_functions
-from rlswaim.loops.transfer_functions import transfer
+from rlswaim.loops.transfer_functions import elastic_numerator, transfer
 from rlswaim.rootlocus.polynomials import determinant
 from rlswaim.source import checks
 from rlswaim.vehicle.equations import JET_STATION, OUTPUTS, ROWS, PerturbationEquations
@@ -37,11 +36,6 @@ class JetLoop(NamedTuple):
     def reading(self) -> NDArray:
         """The sensor's s + b; ValueError if b is not finite."""
         return np.array([checks.real("b", self.b, "JetLoop"), 1.0])
-
-
-def elastic_numerator(eqs: PerturbationEquations, signal: str, loop: JetLoop) -> NDArray:
-    """Return phi_1(z) N_q1 + phi_2(z) N_q2 for ``signal`` delta or delta_r, shape (8,) [Eqs. 133, 134]."""
-    return transfer_functions.elastic_numerator(eqs, loop.sensor, signal, loop.jet)
 
 
 def coupling_numerator(eqs: PerturbationEquations, first: str, second: str, jet: float) -> NDArray:
@@ -91,44 +85,93 @@ def literal_bracket(eqs: PerturbationEquations) -> NDArray:
 def direct_response(eqs: PerturbationEquations, sensor: NDArray, jet: NDArray) -> NDArray:
     """Return sum of phi_i(z) phi_i(r)/m_i (1/slug): acceleration at the sensor for each lb of the jet.
 
-    It is, but for its sign, the s^4 coefficient of Eq. 133; arrays of stations (ft) broadcast.
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    sensor, jet : ndarray
+        Stations (ft); their shapes broadcast.
+
+    Notes
+    -----
+    It is, but for its sign, the s^4 coefficient of Eq. 133.
     """
     first, second = (mode.deflection(sensor) * mode.deflection(jet) for mode in eqs.modes)
     return eqs.jet["F1"] * first + eqs.jet["F2"] * second
 
 
-def closure_1(eqs: PerturbationEquations, loop: JetLoop) -> control.TransferFunction:
-    """Return closure 1's open loop for k K_z = 1 [Eq. 133]."""
-    top = -loop.K_r * npp.polymul(loop.reading, elastic_numerator(eqs, "delta_r", loop)[:6])
+def closure_1_open_loop(eqs: PerturbationEquations, loop: JetLoop) -> control.TransferFunction:
+    """Return closure 1's open loop for k K_z = 1 [Eq. 133].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    """
+    top = -loop.K_r * npp.polymul(loop.reading, elastic_numerator(eqs, loop.sensor, "delta_r", loop.jet)[:6])
     return transfer(top, npp.polymul(loop.valve, eqs.characteristic_polynomial()))
 
 
-def closed_1(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> NDArray:
-    """Return the characteristic polynomial of closure 1, shape (9,) [Eq. 133]."""
-    moved = npp.polymul(loop.reading, elastic_numerator(eqs, "delta_r", loop)[:6])
-    gain = checks.real("kK_z", kK_z, "closed_1") * loop.K_r
+def closure_1_polynomial(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> NDArray:
+    """Return the characteristic polynomial of closure 1, shape (9,) [Eq. 133].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    kK_z : float
+        Gain of the jet's loop (lb s/ft).
+    """
+    moved = npp.polymul(loop.reading, elastic_numerator(eqs, loop.sensor, "delta_r", loop.jet)[:6])
+    gain = checks.real("kK_z", kK_z, "closure_1_polynomial") * loop.K_r
     return npp.polysub(npp.polymul(loop.valve, eqs.characteristic_polynomial()), gain * moved)
 
 
 def jet_numerator(eqs: PerturbationEquations, loop: JetLoop, as_printed: bool = False) -> NDArray:
-    """Return N of theta/delta_r, or ``as_printed`` in Eq. 135 in its place: alpha/delta_r, not over U."""
+    """Return N of theta/delta_r [Eq. 135 as it should be].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    as_printed : bool
+        Return what Eq. 135 prints in its place: N of alpha/delta_r, not divided by U.
+    """
     if as_printed:
         return eqs.numerator("alpha", "delta_r", loop.jet) * eqs.U
     return eqs.numerator("theta", "delta_r", loop.jet)
 
 
-def closure_2(
+def closure_2_open_loop(
     eqs: PerturbationEquations, loop: JetLoop, kK_z: float, as_printed: bool = False
 ) -> control.TransferFunction:
-    """Return closure 2's open loop [Eq. 134], with Eq. 135's numerator ``as_printed`` or as it should be."""
-    top = npp.polymul(jet_numerator(eqs, loop, as_printed), elastic_numerator(eqs, "delta", loop)[:6])
-    top = checks.real("kK_z", kK_z, "closure_2") * loop.K_r * npp.polymul(loop.reading, top)
-    bottom = npp.polymul(eqs.numerator("theta", "delta")[:6], closed_1(eqs, loop, kK_z))
+    """Return closure 2's open loop [Eq. 134].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    kK_z : float
+        Gain of the jet's loop (lb s/ft).
+    as_printed : bool
+        Take the numerator that Eq. 135 prints, not the one that it should be.
+    """
+    elastic = elastic_numerator(eqs, loop.sensor, "delta", loop.jet)[:6]
+    top = npp.polymul(jet_numerator(eqs, loop, as_printed), elastic)
+    top = checks.real("kK_z", kK_z, "closure_2_open_loop") * loop.K_r * npp.polymul(loop.reading, top)
+    bottom = npp.polymul(eqs.numerator("theta", "delta")[:6], closure_1_polynomial(eqs, loop, kK_z))
     return transfer(np.where(np.abs(top) > 1e-12 * np.abs(top).max(), top, 0.0), bottom)
 
 
 def theta_numerator(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> NDArray:
-    """Return N of theta/delta with the jet's loop closed: closure 2's polynomial over Delta, shape (8,)."""
+    """Return N of theta/delta with the jet's loop closed: closure 2's polynomial over Delta, shape (8,).
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    kK_z : float
+        Gain of the jet's loop (lb s/ft).
+    """
     phi = [mode.deflection(loop.sensor) for mode in eqs.modes]
     coupled = [
         p * coupling_numerator(eqs, "theta", q, loop.jet) for p, q in zip(phi, ("q1", "q2"), strict=True)
@@ -138,9 +181,19 @@ def theta_numerator(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -> N
     return npp.polysub(own, gain * npp.polymul(loop.reading, coupled[0] + coupled[1]))
 
 
-def closure_3(
+def closure_3_open_loop(
     eqs: PerturbationEquations, loop: JetLoop, kK_z: float, K_C: float, K_R: float
 ) -> control.TransferFunction:
-    """Return closure 3's open loop for K_A = 1, with Delta cancelled [Eq. 137 as it should be]."""
+    """Return closure 3's open loop for K_A = 1, with Delta cancelled [Eq. 137 as it should be].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    kK_z : float
+        Gain of the jet's loop (lb s/ft).
+    K_C, K_R : float
+        Actuator (1/s) and rate gyro (s) gains of the outer loop.
+    """
     top = K_C * npp.polymul([1.0, K_R], theta_numerator(eqs, loop, kK_z))
-    return transfer(top, npp.polymul([K_C, 1.0], closed_1(eqs, loop, kK_z)))
+    return transfer(top, npp.polymul([K_C, 1.0], closure_1_polynomial(eqs, loop, kK_z)))
