@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rlswaim as rl
-from rlswaim.edition.coefficients import as_markdown, coefficient_table, mirrored_damping
+from pages import show
+from rlswaim.edition.coefficients import coefficient_table, mirrored_damping
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle import coupling
 from rlswaim.vehicle.equations import COEFFICIENTS
@@ -113,7 +114,7 @@ def test_gust_turns_the_rigid_body_into_the_wind_and_makes_the_flexible_one_dive
 def test_coefficient_table_has_every_coefficient():
     table = coefficient_table()
     assert tuple(table.index) == COEFFICIENTS
-    assert as_markdown(table).count("\n") == len(COEFFICIENTS) + 1
+    assert show(table).data.count("\n") == len(COEFFICIENTS) + 1
 
 
 def test_cross_dampings_mirror_each_other():

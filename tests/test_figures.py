@@ -10,9 +10,11 @@ from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+import diagrams
 import rlswaim as rl
-from rlswaim.figures import diagrams, loci, use_book_style
-from rlswaim.figures.redraw import LocusPicture
+from pages import use_book_style
+from redraw import LocusPicture
+from rlswaim.figures import loci
 from rlswaim.loops import transfer_functions as tf
 from rlswaim.loops.transfer_functions import theta_loop
 

@@ -33,12 +33,6 @@ def coefficient_table() -> pd.DataFrame:
     return pd.DataFrame.from_dict(rows, orient="index")
 
 
-def as_markdown(frame: pd.DataFrame) -> str:
-    """Return ``frame``, a table of texts, as Markdown, so that a page sets its formulas."""
-    lines = [frame.columns, ["---"] * frame.shape[1], *frame.to_numpy()]
-    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines)
-
-
 def mirrored_damping(booster: Booster, F2_q1dot: float) -> float:
     """Return the F1_q2dot that belongs to an F2_q1dot (1/s).
 

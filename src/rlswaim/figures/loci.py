@@ -111,6 +111,65 @@ def draw_closure(ax: Axes, closure: Closure, window: Window, label: str) -> Axes
     return draw_poles(ax, closure.poles, label)
 
 
+def draw_far_locus(ax: Axes, locus: RootLocus, closed: ArrayLike, printed: ArrayLike) -> Axes:
+    """Draw a locus on axes that are linear to 1 1/s and logarithmic beyond.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+        Its first gain is 0.
+    closed, printed : array_like of complex
+        Roots where the loop is closed, computed and as the report prints them (1/s).
+
+    Returns
+    -------
+    Axes
+    """
+    for branch in locus.roots.T:
+        ax.plot(branch.real, branch.imag, color=COLORS["neutral"], zorder=2)
+    ax.plot(locus.poles.real, locus.poles.imag, "kx", ms=7, mew=1.5, label="open-loop poles", zorder=3)
+    draw_poles(ax, closed, "closed loop, computed")
+    draw_printed_roots(ax, printed)
+    ax.axvline(0, color="0.4", lw=0.6, zorder=0)
+    ax.set_xscale("symlog", linthresh=1.0)
+    ax.set_yscale("symlog", linthresh=1.0)
+    ax.set(xlim=(-1e9, 1e4), ylim=(-0.15, 300), xlabel="real part (1/s)", ylabel="imaginary part (1/s)")
+    ax.set_xticks([-1e8, -1e6, -1e4, -1e2, 0, 1e2, 1e4])
+    return ax
+
+
+def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
+    """Draw each path of a ``locus`` as a parameter runs: hollow where it starts, a cross where it ends."""
+    for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
+        order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
+        color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
+        ax.plot(path.real, path.imag, style, color=color)
+        ax.plot(path[0].real, path[0].imag, "o", color=color, markerfacecolor="none", markersize=8)
+        ax.plot(path[-1].real, path[-1].imag, "x", color=color, markersize=8)
+    for name, (color, style) in {
+        "rigid body": ("rigid", "-"),
+        "mode 1": ("mode 1", "--"),
+        "mode 2": ("mode 2", "-."),
+    }.items():
+        ax.plot([], [], style, color=COLORS[color], label=name)
+    ax.plot(
+        [],
+        [],
+        "o",
+        color="black",
+        markerfacecolor="none",
+        linestyle="none",
+        label=f"{parameter} = {locus.gains[0]:g}",
+    )
+    ax.plot([], [], "x", color="black", linestyle="none", label=f"{parameter} = {locus.gains[-1]:g}")
+    ax.axvline(0, color=COLORS["neutral"], linewidth=0.8)
+    ax.set_xlabel("real part (1/s)")
+    ax.set_ylabel("imaginary part (rad/s)")
+    ax.legend(fontsize="small")
+    return ax
+
+
 def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: str, ylabel: str) -> Axes:
     """Draw named ``curves`` over ``x`` on ``ax``, with ``xlabel`` and ``ylabel``; a part keeps its color."""
     others = ("printed", "corrected", "jet", "neutral")

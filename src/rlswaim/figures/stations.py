@@ -1,4 +1,4 @@
-"""Maps over stations: Table 3's pairs, and where the poles go as a sensor or a jet moves."""
+"""Stations of sensors and jets: Table 3's pairs and their readings, and the poles over the stations."""
 
 from collections.abc import Sequence
 
@@ -7,6 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import CenteredNorm
 
+from rlswaim.edition.table_3_readings import Readings
 from rlswaim.figures.style import COLORS
 from rlswaim.loops.closures import Stiffening, direct_response
 from rlswaim.rootlocus.locus import RootLocus
@@ -70,6 +71,37 @@ def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquatio
         xlabel="station of the sensor (ft)", ylabel="station of the jet (ft)", xlim=(0, 420), ylim=(0, 420)
     )
     ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8)
+    return ax
+
+
+def draw_readings(ax: Axes, groups: Sequence[Sequence[Readings]], labels: Sequence[str]) -> Axes:
+    """Draw which share of the readings stiffens both modes throughout, for each pair of Table 3.
+
+    Parameters
+    ----------
+    ax : Axes
+    groups : sequence of sequence of Readings
+        One for each box of readings, all with the same pairs.
+    labels : sequence of str
+        What the boxes are.
+
+    Returns
+    -------
+    Axes
+    """
+    width = 0.8 / len(groups)
+    looks = (("mode 2", None), ("rigid", "//"), ("mode 1", ".."))
+    for i, (group, label, (color, hatch)) in enumerate(zip(groups, labels, looks, strict=False)):
+        x = np.array([r.nominal.case for r in group]) + (i - (len(groups) - 1) / 2) * width
+        shares = [100 * r.rises / r.total for r in group]
+        ax.bar(x, shares, width, color=COLORS[color], hatch=hatch, edgecolor="white", label=label)
+        barred = [at for at, r in zip(x, group, strict=True) if r.barred]
+        text = "none, exactly" if not i else None
+        ax.plot(barred, np.zeros(len(barred)), "x", color=COLORS["printed"], ms=4, label=text, clip_on=False)
+    ax.set(xlabel="case of Table 3", ylabel="readings that stiffen both modes (%)", ylim=(0, 100))
+    ax.set_xticks([r.nominal.case for r in groups[0]])
+    ax.grid(False, axis="x")
+    ax.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=8)
     return ax
 
 

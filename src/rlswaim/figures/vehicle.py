@@ -1,4 +1,4 @@
-"""Figures 1 to 5 and those of Section III: the vehicle, its modes, its ascent, its poles."""
+"""Figures 1 to 5: the vehicle, its bent axis, its ascent and other histories, its mode shapes."""
 
 from collections.abc import Mapping
 from itertools import cycle
@@ -8,7 +8,6 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.style import COLORS
-from rlswaim.rootlocus.locus import RootLocus
 from rlswaim.source.checks import LENGTH
 from rlswaim.vehicle.booster import Booster
 
@@ -112,36 +111,5 @@ def draw_history(
         )
     ax.set_xlabel("time (s)")
     ax.set_ylabel(quantity)
-    ax.legend(fontsize="small")
-    return ax
-
-
-def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
-    """Draw each path of a ``locus`` as a parameter runs: hollow where it starts, a cross where it ends."""
-    for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
-        order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
-        color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
-        ax.plot(path.real, path.imag, style, color=color)
-        ax.plot(path[0].real, path[0].imag, "o", color=color, markerfacecolor="none", markersize=8)
-        ax.plot(path[-1].real, path[-1].imag, "x", color=color, markersize=8)
-    for name, (color, style) in {
-        "rigid body": ("rigid", "-"),
-        "mode 1": ("mode 1", "--"),
-        "mode 2": ("mode 2", "-."),
-    }.items():
-        ax.plot([], [], style, color=COLORS[color], label=name)
-    ax.plot(
-        [],
-        [],
-        "o",
-        color="black",
-        markerfacecolor="none",
-        linestyle="none",
-        label=f"{parameter} = {locus.gains[0]:g}",
-    )
-    ax.plot([], [], "x", color="black", linestyle="none", label=f"{parameter} = {locus.gains[-1]:g}")
-    ax.axvline(0, color=COLORS["neutral"], linewidth=0.8)
-    ax.set_xlabel("real part (1/s)")
-    ax.set_ylabel("imaginary part (rad/s)")
     ax.legend(fontsize="small")
     return ax
