@@ -14,7 +14,7 @@ import diagrams
 import rlswaim as rl
 from pages import use_book_style
 from redraw import LocusPicture
-from rlswaim.figures import loci
+from rlswaim.figures import loci, stations
 from rlswaim.loops import transfer_functions as tf
 from rlswaim.loops.transfer_functions import theta_loop
 
@@ -82,9 +82,9 @@ def test_closed_loop_poles_and_printed_roots_are_marked_where_they_are(ax, closu
 
 
 def test_the_zeros_of_all_stations_are_drawn_once(ax):
-    stations = np.arange(0.0, 421.0, 30.0)
-    zeros = tf.sensor_zeros(EQS, stations)
-    loci.draw_sensor_zeros(ax, stations, zeros, {140.0: [3.2 + 2.625j]})
+    places = np.arange(0.0, 421.0, 30.0)
+    zeros = tf.sensor_zeros(EQS, places)
+    stations.draw_sensor_zeros(ax, places, zeros, {140.0: [3.2 + 2.625j]})
     drawn = sum(line.get_xdata().size for line in ax.lines[:3])
     assert drawn == np.count_nonzero(zeros.imag >= 0)
     assert ax.get_xlabel().endswith("(ft)")

@@ -1,4 +1,4 @@
-"""Root loci for print: branches, open-loop poles and zeros, closed-loop roots, the report's roots."""
+"""Root loci: branches, open-loop poles and zeros, closed-loop roots, the report's roots."""
 
 from collections.abc import Mapping, Sequence
 
@@ -19,7 +19,19 @@ Window = tuple[float, float, float, float]
 
 
 def draw_damping_grid(ax: Axes, zetas: Sequence[float] = (0.2, 0.5, 0.8)) -> Axes:
-    """Draw rays of damping ratios ``zetas`` over the left half plane of ``ax``, whose limits are set."""
+    """Draw rays of equal damping ratio over the left half plane.
+
+    Parameters
+    ----------
+    ax : Axes
+        Its limits are set, and stay.
+    zetas : sequence of float
+        The damping ratios.
+
+    Returns
+    -------
+    Axes
+    """
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
     reach = np.hypot(left, top)
     for zeta in zetas:
@@ -34,14 +46,42 @@ def draw_damping_grid(ax: Axes, zetas: Sequence[float] = (0.2, 0.5, 0.8)) -> Axe
 
 
 def draw_poles(ax: Axes, poles: ArrayLike, label: str, marker: str = "s", color: str = "0.15") -> Axes:
-    """Mark ``poles`` (1/s), shape (n,), on ``ax`` with a ``label``, ``marker`` and ``color``."""
+    """Mark poles.
+
+    Parameters
+    ----------
+    ax : Axes
+    poles : array_like of complex, shape (n,)
+        1/s.
+    label : str
+        For the legend.
+    marker, color : str
+        As matplotlib names them.
+
+    Returns
+    -------
+    Axes
+    """
     at = np.asarray(poles, dtype=complex)
     ax.plot(at.real, at.imag, marker, ms=5.5, mfc="white", mec=color, mew=1.4, ls="", label=label, zorder=4)
     return ax
 
 
 def draw_printed_roots(ax: Axes, roots: ArrayLike, label: str = "printed in the report") -> Axes:
-    """Mark printed ``roots`` (1/s), shape (n,), and their conjugates on ``ax`` with a ``label``."""
+    """Mark roots that the report prints, and their conjugates.
+
+    Parameters
+    ----------
+    ax : Axes
+    roots : array_like of complex, shape (n,)
+        One of each pair (1/s).
+    label : str
+        For the legend.
+
+    Returns
+    -------
+    Axes
+    """
     at = np.asarray(roots, dtype=complex)
     both = np.concatenate([at, at[at.imag != 0].conj()])
     ax.plot(both.real, both.imag, "D", ms=9, mfc="none", mec=COLORS["printed"], ls="", label=label, zorder=5)
@@ -99,14 +139,40 @@ def draw_root_locus(
 
 
 def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:
-    """Mark on ``ax`` the roots of a ``locus`` that few digits don't fix: condition above ``limit``."""
+    """Mark the roots that few digits don't fix.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+    limit : float
+        Roots with a larger condition number are marked.
+
+    Returns
+    -------
+    Axes
+    """
     at = locus.roots[locus.condition > limit]
     ax.plot(at.real, at.imag, "o", ms=11, mfc="0.6", mec="none", alpha=0.5, ls="", label="ill-determined")
     return ax
 
 
 def draw_closure(ax: Axes, closure: Closure, window: Window, label: str) -> Axes:
-    """Draw a ``closure`` on ``ax`` (``window`` as in `draw_root_locus`), its poles with a ``label``."""
+    """Draw the locus of a loop and the poles of the closed loop.
+
+    Parameters
+    ----------
+    ax : Axes
+    closure : Closure
+    window : tuple of float
+        Left, right, bottom and top of the picture (1/s).
+    label : str
+        Of the poles, for the legend.
+
+    Returns
+    -------
+    Axes
+    """
     draw_root_locus(ax, closure.locus, window, closure.parts)
     return draw_poles(ax, closure.poles, label)
 
@@ -140,7 +206,20 @@ def draw_far_locus(ax: Axes, locus: RootLocus, closed: ArrayLike, printed: Array
 
 
 def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
-    """Draw each path of a ``locus`` as a parameter runs: hollow where it starts, a cross where it ends."""
+    """Draw each path of a pole: a circle where it starts, a cross where it ends.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+        Its ``gains`` are the values of the parameter.
+    parameter : str
+        Its symbol, for the legend.
+
+    Returns
+    -------
+    Axes
+    """
     for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
         order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
         color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
@@ -171,7 +250,21 @@ def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
 
 
 def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: str, ylabel: str) -> Axes:
-    """Draw named ``curves`` over ``x`` on ``ax``, with ``xlabel`` and ``ylabel``; a part keeps its color."""
+    """Draw named curves.
+
+    Parameters
+    ----------
+    ax : Axes
+    x : array_like, shape (K,)
+    curves : mapping of str to array_like, shape (K,)
+        By name; a part of the vehicle keeps its color.
+    xlabel, ylabel : str
+        With units.
+
+    Returns
+    -------
+    Axes
+    """
     others = ("printed", "corrected", "jet", "neutral")
     for i, (name, y) in enumerate(curves.items()):
         color = COLORS.get(name, COLORS[others[i % 4]])
@@ -179,39 +272,4 @@ def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: s
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set(xlabel=xlabel, ylabel=ylabel)
     ax.legend()
-    return ax
-
-
-def draw_sensor_zeros(
-    ax: Axes, stations: NDArray, zeros: NDArray, printed: Mapping[float, ArrayLike]
-) -> Axes:
-    """Draw the zeros of Eq. 119 as size |s| over the sensor station, real and complex ones apart.
-
-    Parameters
-    ----------
-    ax : Axes
-    stations : ndarray, shape (K,)
-        Sensor stations (ft).
-    zeros : ndarray of complex, shape (K, n)
-    printed : mapping of station to zeros
-        Complex zeros that the report prints (1/s).
-
-    Returns
-    -------
-    Axes
-    """
-    at = np.broadcast_to(stations[:, None], zeros.shape)
-    for what, chosen, style in (
-        ("real, right half plane", (zeros.imag == 0) & (zeros.real > 0), ("^", "mode 2")),
-        ("real, left half plane", (zeros.imag == 0) & (zeros.real < 0), ("v", "rigid")),
-        ("complex pair", zeros.imag > 0, ("o", "mode 1")),
-    ):
-        ax.plot(
-            at[chosen], np.abs(zeros[chosen]), style[0], ms=3.5, mfc="none", mec=COLORS[style[1]], label=what
-        )
-    for i, (station, pairs) in enumerate(printed.items()):
-        size = np.abs(np.asarray(pairs))
-        label = None if i else "printed pairs"
-        ax.plot(np.full(size.shape, station), size, "D", ms=8, mfc="none", mec=COLORS["printed"], label=label)
-    ax.set(xlabel="sensor station (ft)", ylabel="|zero| (1/s)")
     return ax

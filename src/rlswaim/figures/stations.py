@@ -1,11 +1,12 @@
-"""Stations of sensors and jets: Table 3's pairs and their readings, and the poles over the stations."""
+"""Stations of sensors and jets: Table 3's pairs and their readings, zeros and poles over the stations."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import CenteredNorm
+from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.edition.table_3_readings import Readings
 from rlswaim.figures.style import COLORS
@@ -102,6 +103,41 @@ def draw_readings(ax: Axes, groups: Sequence[Sequence[Readings]], labels: Sequen
     ax.set_xticks([r.nominal.case for r in groups[0]])
     ax.grid(False, axis="x")
     ax.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=8)
+    return ax
+
+
+def draw_sensor_zeros(
+    ax: Axes, stations: NDArray, zeros: NDArray, printed: Mapping[float, ArrayLike]
+) -> Axes:
+    """Draw the zeros of Eq. 119 as size |s| over the sensor station, real and complex ones apart.
+
+    Parameters
+    ----------
+    ax : Axes
+    stations : ndarray, shape (K,)
+        Sensor stations (ft).
+    zeros : ndarray of complex, shape (K, n)
+    printed : mapping of station to zeros
+        Complex zeros that the report prints (1/s).
+
+    Returns
+    -------
+    Axes
+    """
+    at = np.broadcast_to(stations[:, None], zeros.shape)
+    for what, chosen, style in (
+        ("real, right half plane", (zeros.imag == 0) & (zeros.real > 0), ("^", "mode 2")),
+        ("real, left half plane", (zeros.imag == 0) & (zeros.real < 0), ("v", "rigid")),
+        ("complex pair", zeros.imag > 0, ("o", "mode 1")),
+    ):
+        ax.plot(
+            at[chosen], np.abs(zeros[chosen]), style[0], ms=3.5, mfc="none", mec=COLORS[style[1]], label=what
+        )
+    for i, (station, pairs) in enumerate(printed.items()):
+        size = np.abs(np.asarray(pairs))
+        label = None if i else "printed pairs"
+        ax.plot(np.full(size.shape, station), size, "D", ms=8, mfc="none", mec=COLORS["printed"], label=label)
+    ax.set(xlabel="sensor station (ft)", ylabel="|zero| (1/s)")
     return ax
 
 
