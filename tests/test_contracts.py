@@ -6,6 +6,7 @@ import inspect
 import pkgutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,8 @@ FILES = sorted(
 )
 LONGEST_FUNCTION, LONGEST_FILE = 40, 300
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
-ROOMS = ("explorers", "figures", "edition", "loops", "vehicle", "rootlocus", "source")
+CONTRACTS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]
+(ROOMS,) = [contract["layers"] for contract in CONTRACTS["contracts"] if contract["type"] == "layers"]
 """The rooms, each of which imports only those behind it."""
 
 
