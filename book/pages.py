@@ -45,6 +45,11 @@ def rounded(value: Real | str, digits: int) -> float | int | str:
     Returns
     -------
     float, int or str
+
+    Examples
+    --------
+    >>> rounded(3.14159265, 3), rounded(1234567, 3), rounded("1.80", 1)
+    (3.14, 1234567, '1.80')
     """
     if isinstance(value, str):
         return value
@@ -79,6 +84,13 @@ def show(frame: pd.DataFrame, index: str | None = None) -> Markdown:
     Returns
     -------
     Markdown
+
+    Examples
+    --------
+    >>> print(show(pd.DataFrame({"root": ["$s_1$"]}, index=["gyro"]), index="loop").data)
+    | loop | root |
+    | --- | --- |
+    | gyro | $s_1$ |
     """
     shown = frame if index is None else frame.rename_axis(index).reset_index()
     lines = [shown.columns, ["---"] * shown.shape[1], *shown.to_numpy()]
@@ -99,6 +111,12 @@ def reasons(rows: pd.DataFrame, place: str) -> pd.DataFrame:
     -------
     DataFrame
         Columns: verdict, why, and the places.
+
+    Examples
+    --------
+    >>> rows = pd.DataFrame({"verdict": "misprint", "why": "lost sign", "where": ["Eq. 1", "Eq. 2", "Eq. 2"]})
+    >>> reasons(rows, "where").iloc[0].to_list()
+    ['misprint', 'lost sign', 'Eq. 1, Eq. 2 (3)']
     """
     groups = rows.groupby(["verdict", "why"], sort=False)[place]
     places = groups.agg(lambda found: f"{', '.join(dict.fromkeys(found))} ({len(found)})")
