@@ -69,6 +69,12 @@ def test_imports_and_preparation_are_hidden_in_the_first_cell(notebook):
         assert not imports or "stands-alone" in cell.metadata.get("tags", []), cell.id
 
 
+def test_a_cell_whose_code_is_shown_shows_something(notebook):
+    for cell in code_cells(notebook):
+        if not {"hide-input", "hide-cell", "remove-cell"} & set(cell.metadata.get("tags", [])):
+            assert cell.outputs, cell.id
+
+
 def test_a_page_with_figures_sets_the_book_s_style_first(notebook):
     first = code_cells(notebook)[0]
     assert not figures(notebook) or "use_book_style()" in first.source.splitlines()
