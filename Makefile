@@ -10,9 +10,9 @@ INSTALLED := .venv/.installed
 HTML := _build/html
 
 NOTEBOOKS := $(wildcard book/*.ipynb)
-PAGES := $(shell find book \( -path book/widgets -o -path book/extensions \) -prune -o -type f -not -path "*/.*" -print)
+PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -name '*.py*' \) -prune -o -type f -not -path "*/.*" -print)
 FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py) $(shell find book/widgets/dist -type f 2>/dev/null)
-LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc')
+LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
 .PHONY: help serve book test fuzz bench searches test-oldest test-newest lint notebooks widgets lock clean
 
@@ -61,8 +61,8 @@ define elsewhere
 endef
 
 lint: $(INSTALLED) ## check style, types and import contracts
-	$(BIN)/ruff check src tests benchmarks book/extensions
-	$(BIN)/ruff format --check src tests benchmarks book/extensions
+	$(BIN)/ruff check src tests benchmarks book
+	$(BIN)/ruff format --check src tests benchmarks book
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rlswaim as rl
-from rlswaim.edition.coefficients import as_markdown
+from pages import show
 from rlswaim.edition.ledger import coefficient_frame
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle import coupling
@@ -114,7 +114,7 @@ def test_gust_turns_the_rigid_body_into_the_wind_and_makes_the_flexible_one_dive
 def test_coefficient_frame_has_every_coefficient():
     table = coefficient_frame()
     assert tuple(table.index) == COEFFICIENTS
-    assert as_markdown(table).count("\n") == len(COEFFICIENTS) + 1
+    assert show(table).data.count("\n") == len(COEFFICIENTS) + 1
 
 
 def test_cross_dampings_mirror_each_other():

@@ -10,9 +10,11 @@ from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+import diagrams
 import rlswaim as rl
-from rlswaim.figures import diagrams, loci, use_book_style
-from rlswaim.figures.redraw import LocusPicture
+from pages import use_book_style
+from redraw import LocusPicture
+from rlswaim.figures import loci, stations
 from rlswaim.loops import named_branches
 from rlswaim.loops import transfer_functions as tf
 from rlswaim.loops.transfer_functions import theta_loop
@@ -83,9 +85,9 @@ def test_closed_loop_poles_and_printed_roots_are_marked_where_they_are(ax, closu
 
 
 def test_the_zeros_of_all_stations_are_drawn_once(ax):
-    stations = np.arange(0.0, 421.0, 30.0)
-    zeros = tf.sensor_zeros(EQS, stations)
-    loci.draw_sensor_zeros(ax, stations, zeros, {140.0: [3.2 + 2.625j]})
+    places = np.arange(0.0, 421.0, 30.0)
+    zeros = tf.sensor_zeros(EQS, places)
+    stations.draw_sensor_zeros(ax, places, zeros, {140.0: [3.2 + 2.625j]})
     drawn = sum(line.get_xdata().size for line in ax.lines[:3])
     assert drawn == np.count_nonzero(zeros.imag >= 0)
     assert ax.get_xlabel().endswith("(ft)")

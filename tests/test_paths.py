@@ -20,7 +20,8 @@ from rlswaim.edition import (
 )
 from rlswaim.edition.matching import printed_roots
 from rlswaim.edition.section_4 import CLOSED_LOOPS, WANTED, closed_loop_roots
-from rlswaim.figures.paths import draw_far_locus, draw_readings
+from rlswaim.figures.loci import draw_far_locus
+from rlswaim.figures.stations import draw_readings
 from rlswaim.loops import closures, transfer_functions
 from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
 from rlswaim.rootlocus.locus import root_locus

@@ -18,8 +18,8 @@ from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
+from rlswaim.figures.loci import draw_pole_paths
 from rlswaim.figures.style import COLORS
-from rlswaim.figures.vehicle import draw_pole_paths
 from rlswaim.rootlocus.locus import parameter_locus
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import Booster

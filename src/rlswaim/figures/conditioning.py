@@ -1,4 +1,4 @@
-"""How hard each coefficient pulls at each root, as a map."""
+"""How much each root moves with each coefficient, as a map."""
 
 from collections.abc import Mapping
 
