@@ -4,7 +4,7 @@ import control
 import numpy as np
 
 import rlswaim as rl
-from rlswaim.loops.closures import closure_3, final_design
+from rlswaim.loops.closures import closure_3_open_loop, final_design
 from rlswaim.loops.transfer_functions import theta_loop
 
 
