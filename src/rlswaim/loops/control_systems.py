@@ -5,7 +5,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import control
@@ -29,7 +29,7 @@ AT_SENSOR: Entering = {"phi_1": ("deflection", 0), "phi_2": ("deflection", 1)}
 AT_GYRO: Entering = {"sigma_1": ("slope", 0), "sigma_2": ("slope", 1)}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ControlSystem:
     """A control system of the report and the factors that its closed loops differ in.
 
@@ -88,8 +88,7 @@ class ControlSystem:
 
     def around(self, eqs: PerturbationEquations) -> "ControlledVehicle":
         """Return the control system around the vehicle of ``eqs``, at any gains and stations."""
-        family = Family.of(partial(self.at_factors, eqs), self.groups)
-        return ControlledVehicle(self, family, eqs.modes, eqs.l_CG)
+        return _around(self, eqs)
 
     def forms(self, eqs: PerturbationEquations) -> Forms:
         """Return the characteristic polynomial and all numerators around ``eqs`` in the factors, exactly."""
@@ -186,6 +185,13 @@ class ControlledVehicle:
         product = wanted.imag / pole.imag
         K_A = wanted.real - product * pole.real
         return {**given, "K_A": K_A, "K_R": product / K_A}
+
+
+@lru_cache(maxsize=32)
+def _around(system: ControlSystem, eqs: PerturbationEquations) -> ControlledVehicle:
+    """Return a control system around a vehicle; the last ones are kept, since neither can change."""
+    family = Family.of(partial(system.at_factors, eqs), system.groups)
+    return ControlledVehicle(system, family, eqs.modes, eqs.l_CG)
 
 
 def entering_value(

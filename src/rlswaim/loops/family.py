@@ -7,7 +7,6 @@ Searches, maps over stations, sensitivities and live views all evaluate such a f
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 from math import prod
@@ -27,14 +26,17 @@ class Family:
     Attributes
     ----------
     factors : tuple of str
-    terms : mapping of tuple of str to ndarray of Fraction, shape (n + p, n + m)
-        The fixed matrix [A B; C D] that each product of factors multiplies.
+    terms : mapping of tuple of str to ndarray of int, shape (n + p, n + m)
+        The fixed matrix [A B; C D] times 2^exponent that each product of factors multiplies: with
+        whole numbers it is exact.
+    exponent : int
     states, inputs, outputs : tuple of str
         Their names, n, m and p in number.
     """
 
     factors: tuple[str, ...]
     terms: Mapping[Product, NDArray]
+    exponent: int
     states: tuple[str, ...]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
@@ -69,27 +71,30 @@ class Family:
             If the closed loop is not multi-affine in these factors, or one multiplies another group's.
         """
         factors = tuple(dict.fromkeys(name for group in groups for name in group))
+        products = [*_products(groups)]
+        loops = [closed_loop(**{name: float(name in product) for name in factors}) for product in products]
+        # A square of a factor looks like the factor itself at 0 and 1, and differs at 2.
+        loops.append(closed_loop(**dict.fromkeys(factors, 2.0)))
+        exponent, (*corners, wanted) = _whole(loops)
         # The matrix at a corner is the sum of the terms of all its subsets: subtract the smaller ones.
         terms: dict[Product, NDArray] = {}
-        for product in _products(groups):
-            corner = _matrix(closed_loop(**{name: float(name in product) for name in factors}))
-            terms[product] = corner - sum(
-                (term for part, term in terms.items() if {*part} < {*product}), start=0 * corner
-            )
-        # A square of a factor looks like the factor itself at 0 and 1, and differs at 2.
+        for product, corner in zip(products, corners, strict=True):
+            smaller = [term for part, term in terms.items() if {*part} < {*product}]
+            terms[product] = corner - sum(smaller, start=0 * corner)
         doubled = sum(2 ** len(product) * term for product, term in terms.items())
-        wanted = _matrix(closed_loop(**dict.fromkeys(factors, 2.0)))
         if abs(doubled - wanted).max() > tolerance * abs(wanted).max():
             raise ValueError(f"Family.of: got a closed loop not multi-affine in {', '.join(factors)}")
-        loop = closed_loop(**dict.fromkeys(factors, 0.0))
-        names = (tuple(labels) for labels in (loop.state_labels, loop.input_labels, loop.output_labels))
-        return cls(factors, {product: term for product, term in terms.items() if term.any()}, *names)
+        zero = loops[0]
+        names = (tuple(labels) for labels in (zero.state_labels, zero.input_labels, zero.output_labels))
+        return cls(
+            factors, {product: term for product, term in terms.items() if term.any()}, exponent, *names
+        )
 
     @cached_property
     def _state_terms(self) -> NDArray:
         """The terms of the state matrix alone, rounded; shape (number of terms, n, n)."""
         n = len(self.states)
-        return np.array([term[:n, :n].astype(float) for term in self.terms.values()])
+        return np.array([(term[:n, :n] / 2**self.exponent).astype(float) for term in self.terms.values()])
 
     def matrices(self, factors: Mapping[str, ArrayLike]) -> NDArray:
         """Return state matrices, shape (..., n, n), at values of the ``factors`` whose shapes broadcast.
@@ -102,14 +107,21 @@ class Family:
         if missing := [name for name in self.factors if name not in factors]:
             raise ValueError(f"factors in Family.matrices: got {', '.join(factors)}, wanted {missing[0]} too")
         values = {name: np.asarray(value) for name, value in factors.items()}
-        products = (prod((values[name] for name in product), start=1) for product in self.terms)
-        weights = np.stack(np.broadcast_arrays(*products), axis=-1)
-        return np.tensordot(weights, self._state_terms, axes=1)
+        weights = np.empty(
+            (len(self.terms), *np.broadcast_shapes(*(value.shape for value in values.values()))),
+            np.result_type(float, *values.values()),
+        )
+        for i, product in enumerate(self.terms):
+            weights[i] = prod((values[name] for name in product), start=1.0)
+        return np.tensordot(weights, self._state_terms, axes=(0, 0))
 
 
-def _matrix(loop: control.StateSpace) -> NDArray:
-    """Return [A B; C D] in exact fractions."""
-    return np.vectorize(Fraction, otypes=[object])(np.block([[loop.A, loop.B], [loop.C, loop.D]]))
+def _whole(loops: Sequence[control.StateSpace]) -> tuple[int, list[NDArray]]:
+    """Return an exponent e and the matrices [A B; C D] times 2^e, all of whole numbers."""
+    matrices = [np.block([[loop.A, loop.B], [loop.C, loop.D]]) for loop in loops]
+    exponent = max(x.as_integer_ratio()[1].bit_length() - 1 for matrix in matrices for x in matrix.flat)
+    whole = np.vectorize(int, otypes=[object])
+    return exponent, [whole(np.ldexp(matrix, exponent)) for matrix in matrices]
 
 
 def _products(groups: Sequence[Collection[str]]) -> Iterator[Product]:

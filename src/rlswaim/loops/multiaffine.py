@@ -111,7 +111,7 @@ def forms(family: Family, outputs: Sequence[str] = (), initial: Sequence[str] = 
     -------
     Forms
     """
-    n, (e, whole) = len(family.states), _whole_entries(family)
+    n, e, whole = len(family.states), family.exponent, _entries(family)
     A, B = [row[:n] for row in whole[:n]], [row[n:] for row in whole[:n]]
     C = {name: whole[n + i][:n] for i, name in enumerate(family.outputs) if name in outputs}
     for state, row in zip(family.states, B, strict=True):
@@ -147,13 +147,12 @@ def _rounded(factors: tuple[str, ...], polynomial: Polynomial, degree: int, scal
     return MultiAffine(factors, tuple(Term(tuple(factors[i] for i in at), tuple(c)) for at, c in ordered))
 
 
-def _whole_entries(family: Family) -> tuple[int, list[list[Polynomial]]]:
-    """Return an exponent e and the matrix [A B; C D] times 2^e, whose coefficients are whole."""
+def _entries(family: Family) -> list[list[Polynomial]]:
+    """Return the matrix [A B; C D] times 2^exponent by entries, without terms that are zero."""
     terms = {frozenset(product): term for product, term in family.terms.items()}
-    e = max(x.denominator.bit_length() - 1 for term in terms.values() for x in term.flat)
     rows, columns = next(iter(terms.values())).shape
-    return e, [
-        [{(s, 0): int(t[i, j] * 2**e) for s, t in terms.items() if t[i, j]} for j in range(columns)]
+    return [
+        [{(s, 0): term[i, j] for s, term in terms.items() if term[i, j]} for j in range(columns)]
         for i in range(rows)
     ]
 
