@@ -18,7 +18,6 @@ from rlswaim import explorers
 from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
 from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live_view import LiveView
-from rlswaim.explorers.scripts import module
 from rlswaim.loops import station_maps
 from rlswaim.rootlocus.polynomials import characteristic_polynomial
 from rlswaim.vehicle import trajectory
@@ -259,7 +258,7 @@ class TestBentVehicle:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states]) => states.map(s =>
-                     [module.loads(payload, s).sum, module.height(payload, s, 60)])""",
+                     [module.default.loads(payload, s).sum, module.default.height(payload, s, 60)])""",
                 [view.payload, states],
             )
         assert MAKERS["bent-vehicle"](**states[0]).loads() == pytest.approx(
@@ -305,7 +304,7 @@ class TestAscent:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states]) => states.map(s => {
-                     const { curves, peak } = module.flight(payload, s);
+                     const { curves, peak } = module.default.flight(payload, s);
                      return [curves, peak];
                    })""",
                 [view.payload, states],
@@ -383,7 +382,7 @@ class TestCoupledVehicle:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states]) => states.map(s => {
-                     const { x, y } = module.poles(payload, s);
+                     const { x, y } = module.default.poles(payload, s);
                      return [[...x], [...y]];
                    })""",
                 [view.payload, states],
@@ -402,7 +401,7 @@ class TestCoupledVehicle:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states, window]) => states.map(s => {
-                     const { start, present, names, runs } = module.paths(payload, s, window);
+                     const { start, present, names, runs } = module.default.paths(payload, s, window);
                      const pairs = ({ x, y }) => [...x].map((v, i) => [v, y[i]]);
                      const ends = runs.map(r => [r.at(-1).t, pairs(r.at(-1))]);
                      return [pairs(start), pairs(present), names, ends];
@@ -493,13 +492,12 @@ class TestStationMap:
         gains += [{n: s[n] for n in self.GAINS} for s in random_states(view, 2, seed=5)]
         with opened(browser, view) as page:
             found = page.evaluate(
-                """async ([code, payload, gains]) => {
-                     const script = new Blob([code], { type: 'text/javascript' });
-                     const map = await import(URL.createObjectURL(script));
+                """async ([payload, gains]) => {
+                     const map = await import('/js/maths/abscissa.js');
                      return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
                        .filter(r => r.values).map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
-                [module("abscissa"), view.payload, gains],
+                [view.payload, gains],
             )
         for at, rows in zip(gains, found, strict=True):
             family = station_maps.DualActuationFamily.of(PRINTED, **at)

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_history
@@ -109,8 +108,7 @@ def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tupl
 class AscentView(LiveView):
     """The ascent under sliders; ``trajectory()`` flies the program that they show."""
 
-    system = "trajectory"
-    _esm = module("ascent")
+    view, system = "ascent", "trajectory"
 
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
         self._ascent, self._flight = ascent, flight

@@ -12,10 +12,9 @@ from matplotlib.axes import Axes
 from rlswaim.explorers.control_systems import SYSTEMS, payload
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.presets import COMPARED
-from rlswaim.explorers.scripts import module
+from rlswaim.explorers.scripts import MODULE, STYLE
 from rlswaim.explorers.still import draw_locus, still
 from rlswaim.source import checks
-from rlswaim.source.tables import script
 from rlswaim.vehicle.equations import PerturbationEquations
 
 SIDES = ("left", "right")
@@ -30,8 +29,8 @@ class Comparison(anywidget.AnyWidget):
         If ``left`` or ``right`` is no place of ``designs``.
     """
 
-    _esm = module("comparison")
-    _css = script("explorer.css")
+    _esm = MODULE
+    _css = STYLE
     payload = traitlets.Dict().tag(sync=True)
     left = traitlets.Int().tag(sync=True)
     right = traitlets.Int().tag(sync=True)
@@ -47,7 +46,11 @@ class Comparison(anywidget.AnyWidget):
         self.designs = [
             f"{section}: {preset['name']} ({preset['note']})" for section, preset in self._presets
         ]
-        sent = {"systems": systems, "designs": [{"system": s, "preset": at} for s, at in chosen]}
+        sent = {
+            "view": "comparison",
+            "systems": systems,
+            "designs": [{"system": s, "preset": at} for s, at in chosen],
+        }
         left, right = (self._place("IV", name) for name in COMPARED["IV"])
         super().__init__(payload=sent, left=left, right=right)
         self.panel = widgets.VBox(

@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike
 from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determinant_table
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_pole_paths
@@ -141,8 +140,7 @@ def cures(booster: Booster) -> list[dict]:
 class CoupledVehicle(LiveView):
     """The uncontrolled vehicle under sliders; ``vehicle()`` is its state space, ``poles()`` its poles."""
 
-    system = "coupling"
-    _esm = module("coupled_vehicle")
+    view, system = "coupled-vehicle", "coupling"
 
     def __init__(self, booster: Booster, **values: Value) -> None:
         self._booster, feet = booster, np.array(FEET, float)

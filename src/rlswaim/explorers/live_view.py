@@ -11,8 +11,8 @@ import ipywidgets as widgets
 import traitlets
 
 from rlswaim.explorers.parameter import Checked, Parameter, Value
+from rlswaim.explorers.scripts import MODULE, STYLE
 from rlswaim.explorers.still import Drawing, still
-from rlswaim.source.tables import script
 
 
 class LiveView(anywidget.AnyWidget):
@@ -36,8 +36,9 @@ class LiveView(anywidget.AnyWidget):
         If a value is not of its kind, or a parameter is missing or unknown.
     """
 
+    view: str
     system: str
-    _css = script("explorer.css") + script("live.css")
+    _esm, _css = MODULE, STYLE
     payload = traitlets.Dict().tag(sync=True)
 
     def __init__(
@@ -60,7 +61,12 @@ class LiveView(anywidget.AnyWidget):
             {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
         ]
         own = [p for p in parameters if beside is None or not beside.has_trait(p.name)]
-        given = {"system": self.system, "parameters": known_to_script, "own": [p.name for p in own]}
+        given = {
+            "view": self.view,
+            "system": self.system,
+            "parameters": known_to_script,
+            "own": [p.name for p in own],
+        }
         super().__init__(payload={**given, **payload, "initial": start})
         for p in parameters:
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)

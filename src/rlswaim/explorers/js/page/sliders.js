@@ -8,7 +8,7 @@ function nearest(parameter, value) {
 }
 
 export function initialize({ model }) {
-  for (const parameter of model.get('payload').parameters) {
+  for (const parameter of model.get('payload').parameters ?? []) {
     const { name, grid } = parameter;
     const place = `${name}_at`;
     model.on(`change:${name}`, () => {

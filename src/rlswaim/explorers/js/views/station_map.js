@@ -144,7 +144,7 @@ function render({ model, el }) {
       })),
     );
   }
-  const machine = calculator(payload.worker, receive);
+  const machine = calculator(MAP_WORKER, receive);
 
   function restart(state, seen) {
     const now = JSON.stringify(gains.map((name) => state[name]));
