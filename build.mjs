@@ -1,22 +1,24 @@
-// Builds the two scripts that are committed, from package-lock.json's packages. The same sources give the same bytes.
+// Builds the two scripts that are committed, from package-lock.json's packages. The same sources give the
+// same bytes.
 //
 //   node build.mjs          writes them
 //   node build.mjs --check  compares them with what is committed
 //
-// book/widgets/dist: the runtime, which shows widgets in a page without a kernel, and the licences of what is in it.
-// src/rlswaim/explorers/built: all live views, in one script and one style sheet.
+// book/widgets/dist: the runtime, which shows widgets in a page without a kernel, and the licences of what is
+// in it. src/rlswaim/explorers/built: all live views, in one script and one style sheet.
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
 
 process.chdir(import.meta.dirname);
 const RUNTIME = 'book/widgets';
 const VIEWS = 'src/rlswaim/explorers';
+/** @satisfies {import('esbuild').BuildOptions} */
 const common = {
   bundle: true,
   minify: true,
   write: false,
   metafile: true,
-  legalComments: 'none',
+  legalComments: /** @type {const} */ ('none'),
   target: 'es2022',
 };
 
@@ -26,8 +28,9 @@ const read = (path) => readFileSync(path, 'utf8');
 /** @param {import('esbuild').BuildResult} result */
 const textOf = (result) => result.outputFiles?.[0].text ?? '';
 
-// anywidget is published as an AMD module that keeps errors to itself: make it an ES module that passes each widget
-// through failure.mjs, without the limit of two seconds that on a slow machine would be reported as an error.
+// anywidget is published as an AMD module that keeps errors to itself: make it an ES module that passes each
+// widget through failure.mjs, without the limit of two seconds that on a slow machine would be reported as an
+// error.
 const PATCHES = [
   ['define(["@jupyter-widgets/base"], widget_default);', 'export default widget_default;'],
   ['loadWidget(esm(), id).then(', 'guarded(loadWidget(esm(), id)).then('],
@@ -61,17 +64,19 @@ const packages = {
 };
 
 /**
- * The licence of every package in the runtime. anywidget holds two more; those without a licence file share one text.
+ * The licence of every package in the runtime. anywidget holds two more; those without a licence file share
+ * one text.
  * @param {string[]} inputs
  */
 function licencesOf(inputs) {
-  const folders = inputs.flatMap((path) => path.match(/^node_modules\/(@[^/]+\/)?[^/]+/)?.[0] ?? []);
-  folders.push('node_modules/solid-js', 'node_modules/@lukeed/uuid');
+  const used = inputs.map((path) => path.match(/^node_modules\/(@[^/]+\/)?[^/]+/)?.[0]).filter(Boolean);
+  const folders = [...used, 'node_modules/solid-js', 'node_modules/@lukeed/uuid'];
   const licences = [...new Set(folders)].sort().map((folder) => {
     const { name, license } = JSON.parse(read(`${folder}/package.json`));
     const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
     if (!file && license !== 'BSD-3-Clause') throw new Error(`${name} has no licence file`);
-    return `${name} (${license})\n\n${read(file ? `${folder}/${file}` : `${RUNTIME}/BSD-3-Clause.txt`).trim()}\n`;
+    const text = read(file ? `${folder}/${file}` : `${RUNTIME}/BSD-3-Clause.txt`);
+    return `${name} (${license})\n\n${text.trim()}\n`;
   });
   return licences.join(`\n${'-'.repeat(80)}\n\n`);
 }
@@ -88,7 +93,7 @@ async function runtime() {
     tsconfigRaw: { compilerOptions: { useDefineForClassFields: false } },
     define: { RUNTIME_CSS: JSON.stringify(textOf(css).trim()) },
   });
-  const banner = `/*! The book's widgets without a kernel; built by build.mjs, licences in rlswaim-widgets.LICENSES.txt */\n`;
+  const banner = `/*! The book's widgets without a kernel; licences in rlswaim-widgets.LICENSES.txt */\n`;
   const inputs = Object.keys({ ...css.metafile.inputs, ...js.metafile.inputs });
   return {
     [`${RUNTIME}/dist/rlswaim-widgets.js`]: banner + textOf(js),
@@ -96,7 +101,8 @@ async function runtime() {
   };
 }
 
-// The views are a script for a plain page, which makes one global name. Python adds the line that makes it a module.
+// The views are a script for a plain page, which makes one global name. Python adds the line that makes it a
+// module.
 /** @returns {Promise<Record<string, string>>} the texts of the files by path */
 async function views() {
   const worker = await build({ ...common, entryPoints: [`${VIEWS}/js/views/map_worker.js`], format: 'esm' });
@@ -108,7 +114,7 @@ async function views() {
     globalName: 'rlswaimViews',
     define: { MAP_WORKER: JSON.stringify(textOf(worker)) },
   });
-  const banner = `/*! The live views; built by build.mjs from the scripts in explorers/js and explorers/css */\n`;
+  const banner = `/*! The live views; built from explorers/js and explorers/css */\n`;
   return {
     [`${VIEWS}/built/rlswaim-views.js`]: banner + textOf(js),
     [`${VIEWS}/built/rlswaim-views.css`]: banner + textOf(css),

@@ -456,7 +456,7 @@ class TestCoupledVehicle:
             )
             assert mismatch(varied.poles(), np.array(poles)) < 1e-7
             double = math.log(2) / max(varied.poles().real)
-            assert f"doubles its motion every {double:.3g} s" in page.locator(".verdict").inner_text()
+            assert f"its motion doubles every {double:.3g} s" in page.locator(".verdict").inner_text()
 
 
 def _uncoupled(vehicle: control.StateSpace) -> np.ndarray:

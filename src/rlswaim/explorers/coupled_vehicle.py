@@ -25,7 +25,7 @@ from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import perturbation_equations
 from rlswaim.vehicle.modes import BendingMode
 
-COLORS_OF = {"short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2", "attitude": "neutral"}
+COLORS_OF = {"attitude": "neutral", "short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2"}
 
 
 def vehicle(
@@ -154,7 +154,6 @@ class CoupledVehicle(LiveView):
             "coefficients": coefficient_table(booster),
             "determinant": determinant_table(range(4), booster.flight.U),
             "blocks": tables,
-            "branches": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "presets": cures(booster),
         }

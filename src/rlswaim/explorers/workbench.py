@@ -26,7 +26,7 @@ class Explorer(LiveView):
         If a value is not of its kind, or a parameter is unknown.
     """
 
-    view = "control-system"
+    view = "workbench"
     magnify = traitlets.Float(1.0, help="of the small window about the origin; 1: none").tag(sync=True)
 
     def __init__(
