@@ -1,4 +1,5 @@
 // Responses in time as small pictures side by side: one for each quantity, with axes and units.
+import { write } from './context.js';
 import { line } from './marks.js';
 import { grid, ground, Plane } from './plane.js';
 import { stepOf } from './ticks.js';
@@ -59,8 +60,8 @@ export function drawResponses(g, width, height, theme, times, responses, units) 
     const color = theme.color(BRANCH[name]) ?? theme.ink;
     const curve = Array.from(times, (t, k) => [t, values[k]]);
     const plane = new Plane(g, view, theme).layers(ground, grid(every, step)).numbers(every, step);
-    plane.text(`${LETTER[name] ?? name} (${unit})`, frame.x, frame.y - 9, theme.ink, 'left');
-    plane.text('t (s)', frame.x + frame.w, frame.y - 9, theme.muted, 'right');
+    write(g, `${LETTER[name] ?? name} (${unit})`, frame.x, frame.y - 9, theme.ink, 'left');
+    write(g, 't (s)', frame.x + frame.w, frame.y - 9, theme.muted, 'right');
     line(
       [
         [0, 0],

@@ -1,16 +1,17 @@
 // Numbers as text.
 
-const formats = Array.from(
-  { length: 8 },
-  (_, count) => new Intl.NumberFormat('en', { maximumSignificantDigits: Math.max(count, 1) }),
-);
+const grouped = new Intl.NumberFormat('en', { maximumFractionDigits: 20 });
 
 /** For a reader, with so many digits: 1,234, −0.05, 6.7·10⁻⁴. @param {number} value */
 export function number(value, count = 4) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
   if (value === 0) return '0';
-  if (size >= 1e-3 && size < 1e12) return formats[count].format(value).replace('-', '−');
+  if (size >= 1e-3 && size < 1e12) {
+    const rounded = Number(value.toPrecision(count));
+    const text = size < 999 ? String(rounded) : grouped.format(rounded); // grouping takes its time
+    return text.replace('-', '−');
+  }
   const [digits, power] = value.toExponential(count - 1).split('e');
   const raised = [...power.replace('+', '')].map((d) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(d)]).join('');
   return `${Number(digits)}·10${raised}`.replace('-', '−');

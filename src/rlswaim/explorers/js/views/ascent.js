@@ -8,9 +8,9 @@ import { flight } from '../maths/flights.js';
 import { element, legend, picture, set } from '../page/elements.js';
 import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
-import { mount } from './simple_view.js';
+import { simple } from './simple_view.js';
 
-/** @import { Context, Theme, Values } from '../types.d.ts' */
+/** @import { Theme, Values } from '../types.d.ts' */
 /** @import { Layer } from '../drawing/plane.js' */
 /** @import { Lifecycle } from '../page/lifecycle.js' */
 /** @typedef {ReturnType<typeof flight>} Flight */
@@ -161,10 +161,4 @@ class Ascent {
   }
 }
 
-/** @param {Context} context */
-export function render(context) {
-  const view = new Ascent(context.model.get('payload'));
-  const { nodes, canvases } = view;
-  const { page } = mount(context, { nodes, canvases, draw: (values, page) => view.draw(values, page) });
-  return page.stop;
-}
+export const render = simple(Ascent);

@@ -7,9 +7,9 @@ import { element, legend, picture, set } from '../page/elements.js';
 import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { REACH, vehicleMarks } from './bent_vehicle_marks.js';
-import { mount } from './simple_view.js';
+import { simple } from './simple_view.js';
 
-/** @import { Context, Values } from '../types.d.ts' */
+/** @import { Values } from '../types.d.ts' */
 /** @import { Loads } from '../maths/bent_vehicle_forces.js' */
 /** @import { Lifecycle } from '../page/lifecycle.js' */
 /** @typedef {ReturnType<typeof loads>} Found loads of each source and their sums */
@@ -118,10 +118,4 @@ class BentVehicle {
   }
 }
 
-/** @param {Context} context */
-export function render(context) {
-  const view = new BentVehicle(context.model.get('payload'));
-  const { nodes, canvases } = view;
-  const { page } = mount(context, { nodes, canvases, draw: (values, page) => view.draw(values, page) });
-  return page.stop;
-}
+export const render = simple(BentVehicle);

@@ -9,9 +9,9 @@ import { element, legend, picture, scrolling, set } from '../page/elements.js';
 import { number } from '../page/numbers.js';
 import { PoleTable } from '../page/pole_table.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
-import { mount } from './simple_view.js';
+import { simple } from './simple_view.js';
 
-/** @import { Context, Parameter, Point, Roots, Theme, Values } from '../types.d.ts' */
+/** @import { Parameter, Point, Roots, Theme, Values } from '../types.d.ts' */
 /** @import { Layer } from '../drawing/plane.js' */
 /** @import { Lifecycle } from '../page/lifecycle.js' */
 /** @typedef {ReturnType<typeof paths>} Found */
@@ -121,10 +121,4 @@ class CoupledVehicle {
   }
 }
 
-/** @param {Context} context */
-export function render(context) {
-  const view = new CoupledVehicle(context.model.get('payload'));
-  const { nodes, canvases } = view;
-  const { page } = mount(context, { nodes, canvases, draw: (values, page) => view.draw(values, page) });
-  return page.stop;
-}
+export const render = simple(CoupledVehicle);

@@ -9,7 +9,7 @@ import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { VerdictLine } from '../page/verdict.js';
 import { MapCalculator } from './map_calculator.js';
-import { mount } from './simple_view.js';
+import { simple } from './simple_view.js';
 import {
   chosenPair,
   colorScale,
@@ -21,7 +21,7 @@ import {
 } from './station_map_marks.js';
 import { StationPixels } from './station_pixels.js';
 
-/** @import { Context, Values } from '../types.d.ts' */
+/** @import { Values } from '../types.d.ts' */
 /** @import { Lifecycle } from '../page/lifecycle.js' */
 /** @import { ParameterState } from '../page/parameter_state.js' */
 /** @import { Part } from './station_pixels.js' */
@@ -152,14 +152,14 @@ class StationMap {
     return `The mark is at sensor ${sensor} ft, jet ${jet} ft: ${value} 1/s.`;
   }
 
-  /** @param {Values} values @param {HTMLElement} el */
-  draw(values, el) {
+  /** @param {Values} values */
+  draw(values) {
     this.#follow(values);
     this.#picture(values);
     const told = this.#verdict(values);
     this.verdict.show(told);
     set(this.progress, progressWords(this.pixels, STATIONS * STATIONS));
-    el.dataset.step = this.pixels.complete ? 'complete' : String(this.pixels.whole?.step ?? 0);
+    this.page.el.dataset.step = this.pixels.complete ? 'complete' : String(this.pixels.whole?.step ?? 0);
     const said = `${told.word}${told.long}`;
     const there = this.#cursorWords();
     this.map.canvas.ariaLabel =
@@ -207,7 +207,7 @@ class StationMap {
   }
 
   /** @param {ParameterState} state @param {Lifecycle} page */
-  listen(state, page) {
+  begin(state, page) {
     this.state = state;
     this.page = page;
     const { canvas } = this.map;
@@ -216,17 +216,10 @@ class StationMap {
     movableByKeys(canvas, point, (event) => this.#otherKeys(event));
     canvas.addEventListener('blur', () => this.#put(null));
   }
+
+  stop() {
+    this.calculator.stop();
+  }
 }
 
-/** @param {Context} context */
-export function render(context) {
-  const view = new StationMap(context.model.get('payload'));
-  const { state, page } = mount(context, {
-    nodes: view.nodes,
-    canvases: view.canvases,
-    draw: (values) => view.draw(values, context.el),
-    stop: () => view.calculator.stop(),
-  });
-  view.listen(state, page);
-  return page.stop;
-}
+export const render = simple(StationMap);
