@@ -1,4 +1,4 @@
-"""What all live views share: the script that draws them, their sliders, and the traits joined to the sliders."""
+"""What all live views share: the script that draws them, their sliders, and the traits joined to these."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

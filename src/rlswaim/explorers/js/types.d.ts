@@ -1,7 +1,7 @@
 // Shapes of data that several scripts share.
 
-/** The numbers of roots, by place. */
-export type Numbers = number[] | Float64Array;
+/** Parts of roots, by place. */
+export type Numbers = ArrayLike<number>;
 export interface Roots {
   x: Numbers;
   y: Numbers;

@@ -46,7 +46,7 @@ export function drawLocus(g, view, theme, locus, extra) {
 export function drawMap(g, view, theme, present, sides) {
   const names = present.branches;
   /** @param {Point} p @param {(i: number, y: number) => Layer} layer */
-  const upper = (p, layer) => Array.from(p.y.keys(), (i) => (p.y[i] >= 0 ? layer(i, p.y[i]) : () => {}));
+  const upper = (p, layer) => Array.from(p.y, (y, i) => (y >= 0 ? layer(i, y) : () => {}));
   const hundreds = sides.flat().filter(({ t }) => t % 100 === 0);
   /** @param {Point} end @param {number} i */
   const moved = (end, i) => Math.hypot(end.x[i] - present.x[i], end.y[i] - present.y[i]) * view.scale;

@@ -39,7 +39,7 @@ function windowOf(given, width, height) {
   /** @param {number[]} values */
   const reach = (values) => ladder(Math.max(1.12 * Math.max(0, ...values), 0.4));
   const side = reach(given.flatMap(({ x }) => Array.from(x, Math.abs)));
-  const top = reach(given.flatMap(({ y }) => [...y]));
+  const top = reach(given.flatMap(({ y }) => Array.from(y)));
   return viewOf([-side, side], [-0.05 * top, top], frameOf(width, height), width, height);
 }
 

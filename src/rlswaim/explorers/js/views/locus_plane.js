@@ -154,7 +154,15 @@ export class LocusPlane {
   #run(branch, y, view, px, py) {
     const { system, state } = this.bench;
     const up = Math.abs(view.y(py)) * (y < 0 ? -1 : 1);
-    const t = gainAt(system, state.values, state.what, branch, view.x(px), up, this.locus);
+    const t = gainAt(
+      system,
+      state.values,
+      state.what,
+      branch,
+      view.x(px),
+      up,
+      /** @type {any} */ (this.locus),
+    );
     this.bench.put(state.what.running, state.place(state.what.running, t));
   }
 

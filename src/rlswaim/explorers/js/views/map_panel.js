@@ -22,6 +22,7 @@ export class MapPanel {
     this.bench = bench;
     this.height = 0;
     const { system } = bench;
+    /** @type {[number, string][]} */
     const stations = system.maps.map((/** @type {string} */ name, /** @type {number} */ i) => [i, name]);
     this.list = select('Station of', stations, (at) => bench.look({ map: Number(at) }));
     this.canvas = picture('map', {}).canvas;

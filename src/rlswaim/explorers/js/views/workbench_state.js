@@ -36,7 +36,7 @@ export class WorkbenchState extends ParameterState {
   constructor(model) {
     super(model);
     /** @type {System} */
-    const system = this.payload;
+    const system = model.get('payload');
     this.system = system;
     this.loci = lociOf(system);
     this.inputs = excitationsOf(system);
