@@ -546,6 +546,31 @@ class TestStationMap:
             shows = "ours => Math.abs(+document.querySelector('.verdict').dataset.value - ours) < 1e-8"
             page.wait_for_function(shows, arg=ours)
 
+    def test_the_pair_is_dragged_over_whole_feet(self, browser):
+        view = view_of("station-map")
+        with opened(browser, view) as page:
+            canvas = page.locator("canvas[data-plane=stations]")
+            canvas.scroll_into_view_if_needed()
+            box = canvas.bounding_box()
+            foot = (box["width"] - 62) / 421
+
+            def place(sensor: float, jet: float) -> tuple[float, float]:
+                x = box["x"] + 50 + foot * (sensor + 0.5)
+                return x, box["y"] + box["height"] - 36 - (box["height"] - 46) * (jet + 0.5) / 421
+
+            start = page.evaluate("[state.sensor, state.jet]")
+            page.mouse.move(*place(*start))
+            page.mouse.down()
+            for share in (0.3, 0.7, 1.0):
+                page.mouse.move(
+                    *place(*(a + share * (b - a) for a, b in zip(start, (200.2, 250.3), strict=True)))
+                )
+            page.mouse.up()
+            page.wait_for_function("state.sensor === 200 && state.jet === 250")
+            page.wait_for_timeout(500)
+            page.get_by_role("button", name="undo").click()
+            assert page.evaluate("[state.sensor, state.jet]") == start, "a drag is one step"
+
     def test_without_a_worker_the_page_computes_in_turns(self, browser):
         view = MAKERS["station-map"]()
         page = browser.new_page()
