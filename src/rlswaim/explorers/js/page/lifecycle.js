@@ -105,9 +105,18 @@ export class Lifecycle {
       this.#readAddress();
       this.history.begin();
     }
-    for (const canvas of this.view.canvases)
-      this.sizes.set(canvas, [canvas.clientWidth, canvas.clientHeight]);
-    this.follow();
+    if (this.view.canvases.map((canvas) => this.#resized(canvas)).some(Boolean)) this.follow();
+  }
+
+  /**
+   * Notes the size that the layout gives a canvas; a height that the drawing has set is its own.
+   * @param {HTMLElement} canvas
+   */
+  #resized(canvas) {
+    const [before, above] = this.sizeOf(canvas);
+    const { clientWidth: width, clientHeight: height } = canvas;
+    this.sizes.set(canvas, [width, height]);
+    return width !== before || (height !== above && canvas.style.height === '');
   }
 
   #draw() {

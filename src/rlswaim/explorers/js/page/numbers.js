@@ -7,7 +7,7 @@ export function number(value, count = 4) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
   if (value === 0) return '0';
-  if (size >= 1e-3 && size < 1e12) {
+  if (size >= 1e-3 && size < 1e9) {
     const rounded = Number(value.toPrecision(count));
     const text = size < 999 ? String(rounded) : grouped.format(rounded); // grouping takes its time
     return text.replace('-', '−');
