@@ -4,6 +4,7 @@ import { frameOf, viewOf } from './view.js';
 
 /** @import { Camera, Frame, View } from '../types.d.ts' */
 
+const MARGIN = { left: 44, right: 10, top: 8, bottom: 36 };
 const WIDTHS = [1e-7, 1e5]; // narrowest and widest window (1/s)
 const BELOW = 0.07; // of the window's height, below the real axis
 
@@ -23,7 +24,7 @@ function windowAt(left, bottom, scale, frame, width, height) {
  * @param {number[][]} points @param {number} width @param {number} height
  */
 export function fitted(points, width, height) {
-  const frame = frameOf(width, height);
+  const frame = frameOf(width, height, MARGIN);
   /** @param {(point: number[]) => number} along */
   const reach = (along) => 1.08 * points.reduce((most, point) => Math.max(most, along(point)), 0);
   const want = [reach(([x]) => -x), reach(([x]) => x), reach(([, y]) => Math.abs(y))];
@@ -39,7 +40,7 @@ export const cameraOf = ({ left, right, bottom }) => ({ x: (left + right) / 2, y
 
 /** @param {Camera} camera @param {number} width @param {number} height */
 export function windowOf({ x, y, w }, width, height) {
-  const frame = frameOf(width, height);
+  const frame = frameOf(width, height, MARGIN);
   return windowAt(x - w / 2, y, frame.w / w, frame, width, height);
 }
 
