@@ -4,12 +4,8 @@ import control
 import numpy as np
 
 import rlswaim as rl
-<<<<<<< HEAD
 from rlswaim.edition.printed_closures import final_design
 from rlswaim.loops.closures import closure_3_open_loop
-=======
-from rlswaim.loops.closures import closure_3_open_loop, final_design
->>>>>>> loops
 from rlswaim.loops.transfer_functions import theta_loop
 
 

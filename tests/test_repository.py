@@ -1,6 +1,5 @@
 """What holds for the tracked files: their size, nothing of one machine in them, built files are current."""
 
-import hashlib
 import re
 import subprocess
 import tomllib
@@ -15,7 +14,6 @@ from rlswaim.edition.ledger import counts, errata, ledger
 from rlswaim.source.tables import read_table
 
 ROOT = Path(__file__).parent.parent
-WIDGETS = ROOT / "book" / "widgets"
 LARGEST = 1_500_000
 VIEWS = {
     "bent-vehicle",
@@ -78,15 +76,6 @@ def test_the_lock_pins_every_direct_dependency():
 def test_the_lock_names_no_source():
     lines = (ROOT / "requirements.txt").read_text(encoding="utf-8").splitlines()
     assert [line for line in lines if re.match(r"\s*(-|--|https?:)", line) or " @ " in line] == []
-
-
-def test_the_widgets_bundle_was_built_from_its_sources():
-    """Its banner holds one hash over the sources; `make widgets` builds it anew where Node is."""
-    kinds = {".mjs", ".css", ".txt"}
-    sources = sorted(p for p in WIDGETS.iterdir() if p.suffix in kinds or p.name == "package-lock.json")
-    wanted = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()
-    banner = (WIDGETS / "dist" / "rlswaim-widgets.js").read_text(encoding="utf-8")[:400]
-    assert re.search(r"sources sha256: ([0-9a-f]{64})", banner)[1] == wanted
 
 
 def test_every_target_is_explained():

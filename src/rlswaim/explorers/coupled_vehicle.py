@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike
 from rlswaim.explorers.coupling_tables import BLOCKS, coupled_products, determinant_table
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.loci import draw_pole_paths
 from rlswaim.figures.style import COLORS
@@ -26,7 +25,7 @@ from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import perturbation_equations
 from rlswaim.vehicle.modes import BendingMode
 
-COLORS_OF = {"short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2", "attitude": "neutral"}
+COLORS_OF = {"attitude": "neutral", "short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2"}
 
 
 def vehicle(
@@ -141,8 +140,7 @@ def cures(booster: Booster) -> list[dict]:
 class CoupledVehicle(LiveView):
     """The uncontrolled vehicle under sliders; ``vehicle()`` is its state space, ``poles()`` its poles."""
 
-    system = "coupling"
-    _esm = module("coupled_vehicle")
+    view, system = "coupled-vehicle", "coupling"
 
     def __init__(self, booster: Booster, **values: Value) -> None:
         self._booster, feet = booster, np.array(FEET, float)
@@ -156,7 +154,6 @@ class CoupledVehicle(LiveView):
             "coefficients": coupled_products(booster),
             "determinant": determinant_table(range(4), booster.flight.U),
             "blocks": tables,
-            "branches": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "presets": cures(booster),
         }

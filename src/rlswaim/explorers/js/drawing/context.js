@@ -1,10 +1,15 @@
-// What every drawing starts from: a canvas in CSS pixels, words, shapes, places of round numbers.
+// A canvas's context in CSS pixels, and what every drawing puts on it: words and polygons.
+/** @import { Graphics } from '../types.d.ts' */
 
 export const FONT = '11px system-ui, sans-serif';
 
+/** @type {WeakSet<HTMLCanvasElement>} */
 const prepared = new WeakSet();
 
-// A canvas's context, one unit a CSS pixel. Its font is set with its size alone: that is slow.
+/**
+ * A canvas's context, one unit a CSS pixel. Setting the font is slow: it is set with the canvas's size alone.
+ * @param {HTMLCanvasElement} canvas @param {number} width @param {number} height
+ */
 export function contextOf(canvas, width, height) {
   const ratio = globalThis.devicePixelRatio || 1;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
@@ -18,6 +23,11 @@ export function contextOf(canvas, width, height) {
   return g;
 }
 
+/**
+ * Writes words at a place in px; a halo keeps them legible over lines.
+ * @param {Graphics} g @param {string} words @param {number} x @param {number} y @param {string} color
+ * @param {string} [halo]
+ */
 export function write(g, words, x, y, color, align = 'center', halo = undefined) {
   g.textAlign = align;
   g.textBaseline = 'middle';
@@ -30,15 +40,9 @@ export function write(g, words, x, y, color, align = 'center', halo = undefined)
   g.fillText(words, x, y);
 }
 
-export function multiples(step, from, to) {
-  const first = Math.ceil(from / step - 1e-9);
-  return Array.from(
-    { length: Math.max(0, Math.floor(to / step + 1e-9) - first + 1) },
-    (_, k) => (first + k) * step,
-  );
-}
-
+/** @param {Graphics} g @param {number[]} points x, y, x, y, ... */
 export function polygon(g, points) {
-  for (let k = 0; k < points.length; k += 2) g[k ? 'lineTo' : 'moveTo'](points[k], points[k + 1]);
+  g.moveTo(points[0], points[1]);
+  for (let k = 2; k < points.length; k += 2) g.lineTo(points[k], points[k + 1]);
   g.closePath();
 }
