@@ -1,6 +1,7 @@
 // The vehicle without control: poles from the two tables that Python sends, as the coupling or a slider runs.
-import { trace } from '../maths/locus.js';
-import { pairing, roots } from '../maths/roots.js';
+import { trace } from '../maths/tracing.js';
+import { roots } from '../maths/aberth.js';
+import { matchRoots } from '../maths/match_roots.js';
 import { element, set } from '../page/dom.js';
 import { Table, legend, mount, number, plane } from '../page/live_view.js';
 import { Plot } from '../drawing/plot.js';
@@ -138,7 +139,7 @@ export function paths(payload, state, view) {
   const rising = trace(curve(payload, state, 'coupling'), nodes(0, 1, 16), start, view);
   const end = rising.at(-1);
   const exact = poles(payload, state);
-  const partner = pairing(end.x, end.y, exact.x, exact.y, new Int32Array(6));
+  const partner = matchRoots(end.x, end.y, exact.x, exact.y, new Int32Array(6));
   const present = { x: Array.from(partner, (p) => exact.x[p]), y: Array.from(partner, (p) => exact.y[p]) };
   if (state.running === 'coupling') return { start, present, names: start.names, runs: [rising] };
   const { grid } = payload.parameters.find(({ name }) => name === state.running);

@@ -2,7 +2,8 @@
 import { contextOf } from '../drawing/canvas.js';
 import { button, complex, element, number, press, set, symbol } from '../page/dom.js';
 import { handleKeys, handlePointers, nearestOn, nearestPole } from '../page/pointer.js';
-import { gainAt, rootLocus } from '../maths/locus.js';
+import { gainAt } from '../maths/gain_at.js';
+import { rootLocus } from '../maths/locus.js';
 import { drawLocus } from '../drawing/pole_pictures.js';
 import { cameraOf, fitted, insetOf, windowOf, zoomed } from '../drawing/camera.js';
 

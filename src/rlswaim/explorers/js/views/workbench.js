@@ -16,7 +16,8 @@ import {
 } from '../page/dom.js';
 import { copy, download, pythonOf, svgOf } from '../page/take_away.js';
 import { History, onUndoKeys, undoButtons } from '../page/undo.js';
-import { closedLoop, margins } from '../maths/locus.js';
+import { closedLoop } from '../maths/closed_loop.js';
+import { margins } from '../maths/margins.js';
 import { LocusPlane, MAGNIFY } from './locus_plane.js';
 import { ModePanel } from './mode_panel.js';
 import { helpPanel, legend, MapPanel, ResponsePanel } from './panels.js';
