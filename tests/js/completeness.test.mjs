@@ -30,7 +30,9 @@ function gainsAbout(listed) {
   const grid = [];
   for (let e = -6; e <= 6; e += 0.02) grid.push(10 ** e, -(10 ** e));
   for (const k of listed) grid.push(k * (1 - 1e-4), k * (1 + 1e-4));
-  return grid.filter((g) => listed.every((k) => Math.abs(g - k) > 0.9e-4 * Math.abs(k))).sort((a, b) => a - b);
+  return grid
+    .filter((g) => listed.every((k) => Math.abs(g - k) > 0.9e-4 * Math.abs(k)))
+    .sort((a, b) => a - b);
 }
 
 // Counts at all gains, and for each stretch between two of them what the list says about it.
@@ -42,8 +44,10 @@ function compare(loop, list, count, change) {
   for (const k of gains) {
     const c = D.map((v, i) => v + k * N[i]);
     const now = count(sharpened(c, roots(c)));
-    if (before !== null && before * k > 0 ) {
-      const told = list.filter(({ gain }) => gain > before && gain < k).reduce((sum, entry) => sum + change(entry), 0);
+    if (before !== null && before * k > 0) {
+      const told = list
+        .filter(({ gain }) => gain > before && gain < k)
+        .reduce((sum, entry) => sum + change(entry), 0);
       assert.equal(now - last, told, JSON.stringify({ loop, from: before, to: k, list }));
     }
     [before, last] = [k, now];
@@ -88,7 +92,9 @@ test('real break-aways change the number of real roots by two, and nothing else 
       const real = [-1e-4, 1e-4].map((off) => {
         const c = D.map((v, k) => v + gain * (1 + off) * N[k]);
         const all = roots(c);
-        const nearest = all.x.map((v, j) => [Math.hypot(v - x, all.y[j]), all.y[j]]).sort((a, b) => a[0] - b[0]);
+        const nearest = all.x
+          .map((v, j) => [Math.hypot(v - x, all.y[j]), all.y[j]])
+          .sort((a, b) => a[0] - b[0]);
         return nearest.slice(0, 2).filter(([, im]) => im === 0).length;
       });
       assert.equal(Math.abs(real[1] - real[0]), 2, JSON.stringify({ loop, gain, x }));

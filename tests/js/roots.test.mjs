@@ -91,7 +91,9 @@ test('multiple roots of random polynomials are found with their multiplicity', (
     const double = [-0.3 - 0.2 * random(), -0.3];
     const points = { x: [...x, double[0], double[0]], y: [...y, 0, 0] };
     const c = expanded(points);
-    const count = distinctRoots(c, c).filter((root) => root.count === 2 && Math.abs(root.x - double[0]) < 1e-9);
+    const count = distinctRoots(c, c).filter(
+      (root) => root.count === 2 && Math.abs(root.x - double[0]) < 1e-9,
+    );
     assert.equal(count.length, 1, JSON.stringify(points));
   }
 });
@@ -99,7 +101,9 @@ test('multiple roots of random polynomials are found with their multiplicity', (
 test('the match has the least total squared distance', () => {
   const random = seeded(2);
   const orders = (n) =>
-    n === 0 ? [[]] : orders(n - 1).flatMap((p) => Array.from({ length: n }, (_, i) => p.toSpliced(i, 0, n - 1)));
+    n === 0
+      ? [[]]
+      : orders(n - 1).flatMap((p) => Array.from({ length: n }, (_, i) => p.toSpliced(i, 0, n - 1)));
   const all = orders(6);
   for (let i = 0; i < 60; i++) {
     const [a, b] = [randomPoints(random, 6), randomPoints(random, 6)];

@@ -17,8 +17,8 @@ import { tracePoint } from './trace_points.js';
  */
 
 const DEEPEST = 28;
-// So many roots in all a trace solves for; what is left then is drawn as it is.
-const MOST = 400000;
+// A trace solves at so many values at most; what is left then is drawn as it is.
+const MOST = 4000;
 
 /** Traces a curve of n roots stretch by stretch. */
 export class Tracer {
@@ -72,7 +72,7 @@ export class Tracer {
     settle(x, y);
     anchor(c, x, y);
     if (atNode) meet(curve.breaks ?? [], t, x, y);
-    this.budget -= n;
+    this.budget--;
     return tracePoint(t, x, y);
   }
 
