@@ -7,14 +7,13 @@ what one rounding of the coefficients' terms would do to it.
 
 import json
 import math
-import re
 from collections.abc import Iterator
 from functools import cache
 
 import control
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, Route
 from scipy.linalg import expm, matrix_balance
 from scipy.optimize import linear_sum_assignment
 
@@ -31,10 +30,8 @@ from rlswaim.source.tables import read_table, script
 
 EQUATIONS = {"data": rl.perturbation_equations(rl.swaim_booster()), "printed": rl.printed_equations()}
 EQS = EQUATIONS["printed"]
-MODULE = "\n".join(
-    re.sub(r"^import [^;]*;\n", "", script("js", "maths", f"{name}.js"), flags=re.MULTILINE)
-    for name in ("roots", "locus", "responses", "mode_shape")
-)
+MATHS = ("closed_loop", "gain_at", "locus", "margins", "mode_shape", "open_loop", "responses")
+SCRIPTS = "http://127.0.0.1/maths/"
 VIEW = {"left": -12.0, "right": 4.0, "bottom": -1.0, "top": 13.0, "scale": 40.0, "tolerance": 0.25}
 COUNT = 1000
 EPS = np.finfo(float).eps
@@ -209,16 +206,27 @@ class TestPresets:
             assert VIEWS["VII"].closed_loop(EQS, **values).poles().real.max() < 1e-7
 
 
+def _send_script(route: Route) -> None:
+    """Answer a request for a script of `js/maths` with its text, and one for the folder with a blank page."""
+    name = route.request.url.removeprefix(SCRIPTS)
+    if name:
+        route.fulfill(content_type="text/javascript", body=script("js", "maths", name))
+    else:
+        route.fulfill(content_type="text/html", body="<!doctype html>")
+
+
 @pytest.fixture(scope="module")
 def page(browser: Browser) -> Iterator[Page]:
-    """A blank page with the models' scripts as `module`."""
+    """A blank page with what the models' scripts export as `module`."""
     page = browser.new_page()
+    page.route(f"{SCRIPTS}**", _send_script)
+    page.goto(SCRIPTS)
     page.evaluate(
-        """async ([code, systems]) => {
-             const address = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-             Object.assign(globalThis, { module: await import(address), systems });
+        """async ([names, systems]) => {
+             const modules = await Promise.all(names.map((name) => import(`./${name}.js`)));
+             Object.assign(globalThis, { module: Object.assign({}, ...modules), systems });
            }""",
-        [MODULE, {section: sent(section) for section in VIEWS}],
+        [MATHS, {section: sent(section) for section in VIEWS}],
     )
     yield page
     page.close()

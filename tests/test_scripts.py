@@ -1,4 +1,4 @@
-"""What holds for the scripts as text: style, types, bounds, and that the built ones are current."""
+"""What holds for the scripts: style, types, bounds, the unit tests, and that the built ones are current."""
 
 import subprocess
 from pathlib import Path
@@ -58,3 +58,15 @@ def test_lines_are_short():
         if len(line) > 110
     }
     assert long == {}
+
+
+@pytest.mark.parametrize(
+    "path", sorted((ROOT / "tests" / "js").glob("*.test.mjs")), ids=lambda path: path.name
+)
+def test_unit_tests_of_the_mathematics(path):
+    """Node's own test runner runs them."""
+    run("--test", "--test-reporter=spec", str(path))
+
+
+def test_there_are_unit_tests_of_the_mathematics():
+    assert len(list((ROOT / "tests" / "js").glob("*.test.mjs"))) >= 4

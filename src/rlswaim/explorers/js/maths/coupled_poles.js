@@ -1,7 +1,9 @@
 // The poles of the vehicle without control: from the two tables that Python sends, as the coupling or a
 // slider runs.
-import { trace } from './locus.js';
-import { pairing, roots } from './roots.js';
+
+import { roots } from './aberth.js';
+import { matchRoots } from './match_roots.js';
+import { trace } from './tracing.js';
 
 /** @import { Values, View } from '../types.d.ts' */
 /** @typedef {[number, number[]][]} Sum products: a weight and the places of its factors */
@@ -162,7 +164,7 @@ export function paths(payload, state, view) {
   const rising = trace(curve(payload, state, 'coupling'), nodes(0, 1, 16), start, view);
   const end = rising.at(-1);
   const exact = poles(payload, state);
-  const partner = pairing(end.x, end.y, exact.x, exact.y, new Int32Array(6));
+  const partner = matchRoots(end.x, end.y, exact.x, exact.y, new Int32Array(6));
   const present = { x: Array.from(partner, (p) => exact.x[p]), y: Array.from(partner, (p) => exact.y[p]) };
   if (state.running === 'coupling') return { start, present, names: start.names, runs: [rising] };
   const { grid } = payload.parameters.find(

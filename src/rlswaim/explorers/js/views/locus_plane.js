@@ -3,7 +3,8 @@ import { cameraOf, fitted, insetOf, windowOf, zoomed } from '../drawing/camera.j
 import { contextOf } from '../drawing/context.js';
 import { drawLocus } from '../drawing/locus_pictures.js';
 import { nearestOn, nearestPole } from '../drawing/nearest.js';
-import { gainAt, rootLocus } from '../maths/locus.js';
+import { gainAt } from '../maths/gain_at.js';
+import { rootLocus } from '../maths/locus.js';
 import { button, element, group, press, set, symbol } from '../page/elements.js';
 import { movable, movableByKeys, placeOn } from '../page/movable_point.js';
 import { number } from '../page/numbers.js';

@@ -1,7 +1,8 @@
 // The workbench: one control system under its sliders, with its root locus, its poles, and panels that look
 // at them.
 import { nearestRoot } from '../drawing/nearest.js';
-import { closedLoop, margins } from '../maths/locus.js';
+import { closedLoop } from '../maths/closed_loop.js';
+import { margins } from '../maths/margins.js';
 import {
   button,
   element,
