@@ -2,6 +2,7 @@
 
 from rlswaim.edition.ledger import ledger
 from rlswaim.loops.systems import dual_actuation, rate_attitude, single_sensor, two_sensor
+from rlswaim.practice.greensite import greensite
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus, root_locus
 from rlswaim.vehicle.booster import Booster, FlightCondition, Surface, swaim_booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_equations
@@ -13,6 +14,7 @@ __all__ = [
     "RootLocus",
     "Surface",
     "dual_actuation",
+    "greensite",
     "ledger",
     "parameter_locus",
     "perturbation_equations",

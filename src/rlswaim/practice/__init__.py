@@ -1,0 +1,1 @@
+"""Beyond the report: another vehicle, limits of performance, criteria in time, loads, truer models."""

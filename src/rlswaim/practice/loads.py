@@ -1,0 +1,173 @@
+"""Bending moment and shear along the vehicle, by summation of inertia and air forces.
+
+All forces on the part ahead of a cut at station x are summed, positive down like z:
+
+    inertia of each mass    -m (U (alpha' - theta') + (l - l_CG) theta'' - sum phi_i q_i'')
+    air on each surface     -q_D S C_N (alpha + alpha_g + (l - l_CG)/U theta'
+                                        + sum (sigma_i q_i - phi_i/U q_i'))
+    jet                     k delta_r at its station
+    axial inertia           -m T/M forward, which bends where the axis is bent
+
+The shear is their sum, and the moment the sum of (x - l) times each, the axial ones by the deflection
+-sum phi_i q_i between the mass and the cut.  At the nose both are zero by their making.  At the aft end,
+with the thrust, they are zero only if the equations of motion balance the same forces: an independent
+check, which the vehicle with recomputed totals and orthogonal modes passes, and the printed one does not.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import control
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rlswaim.source import checks
+from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
+
+INPUTS = ("delta", "delta_r", "alpha_g")
+
+
+@dataclass(frozen=True, eq=False)
+class SectionLoads:
+    """Shear (lb) and bending moment (lb ft) at stations, linear in the vehicle's states and inputs.
+
+    Both have the shape (stations, columns): what each unit of a state or an input brings.
+    """
+
+    stations: NDArray
+    columns: tuple[str, ...]
+    shear: NDArray
+    moment: NDArray
+    end_shear: NDArray
+    """Shear at the aft end with the thrust: zero in each column if the forces balance (lb)."""
+    end_moment: NDArray
+    """Moment at the thrust point: zero in each column if the forces balance (lb ft)."""
+
+
+def _accelerations(booster: Booster, vehicle: control.StateSpace, U: float, l_CG: float) -> NDArray:
+    """Return what each mass feels as acceleration (ft/s^2, down) by state and input: (masses, columns)."""
+    rates = dict(zip(vehicle.output_labels, np.hstack([vehicle.A, vehicle.B]), strict=True))
+    found = U * (rates["alpha"] - rates["theta"]) + np.outer(booster.stations - l_CG, rates["thetadot"])
+    for i, mode in enumerate(booster.modes, start=1):
+        found = found - np.outer(mode.deflection(booster.stations), rates[f"q{i}dot"])
+    return found
+
+
+def _air(booster: Booster, columns: Sequence[str], U: float, l_CG: float) -> NDArray:
+    """Return the air's downward force (lb) on each surface by state and input: (surfaces, columns)."""
+    rows = []
+    for surface in booster.surfaces:
+        x = surface.station
+        incidence = {"alpha": 1.0, "alpha_g": 1.0, "thetadot": (x - l_CG) / U}
+        for i, mode in enumerate(booster.modes, start=1):
+            incidence |= {f"q{i}": mode.slope(x), f"q{i}dot": -mode.deflection(x) / U}
+        force = -booster.flight.q_D * booster.S * surface.C_Nalpha
+        rows.append([force * incidence.get(name, 0.0) for name in columns])
+    return np.array(rows)
+
+
+def _by_mode(booster: Booster, columns: Sequence[str], values: Sequence[float]) -> NDArray:
+    """Return a row with one value in the column of each q_i."""
+    found = np.zeros(len(columns))
+    for i, value in enumerate(values, start=1):
+        found[columns.index(f"q{i}")] = value
+    return found
+
+
+def _axial(booster: Booster, columns: Sequence[str], x: float) -> NDArray:
+    """Return the moment (lb ft) at a cut of the axial inertia ahead of it, by state and input."""
+    found = np.zeros(len(columns))
+    for at, mass in zip(booster.stations, booster.masses, strict=True):
+        if at < x:
+            bent = [mode.deflection(x) - mode.deflection(float(at)) for mode in booster.modes]
+            found += mass * booster.T / booster.masses.sum() * _by_mode(booster, columns, bent)
+    return found
+
+
+def section_loads(
+    booster: Booster, eqs: PerturbationEquations, stations: ArrayLike, jet: float = JET_STATION
+) -> SectionLoads:
+    """Return shear and bending moment at stations.
+
+    Parameters
+    ----------
+    booster : Booster
+        Its masses, modes, surfaces and thrust.
+    eqs : PerturbationEquations
+        Of the same vehicle.
+    stations : array_like, shape (n,)
+        Of the cuts (ft).
+    jet : float
+        Station of the jet (ft).
+
+    Returns
+    -------
+    SectionLoads
+
+    Raises
+    ------
+    TypeError
+        If ``booster`` or ``eqs`` is of another kind.
+    ValueError
+        If a station is not finite.
+    """
+    checks.instance("booster", booster, Booster, "section_loads")
+    checks.instance("eqs", eqs, PerturbationEquations, "section_loads")
+    cuts = checks.frozen_array("stations", stations, "section_loads")
+    vehicle = eqs.state_space(jet)
+    columns = (*vehicle.output_labels, *INPUTS)
+    felt = _accelerations(booster, vehicle, eqs.U, eqs.l_CG)
+    felt[:, columns.index("theta")] += getattr(eqs, "gravity", 0.0)  # the weight bends nothing
+    inertia = -booster.masses[:, None] * felt
+    pushed = np.zeros((1, len(columns)))
+    pushed[0, columns.index("delta_r")] = 1.0
+    forces = np.vstack([inertia, _air(booster, columns, eqs.U, eqs.l_CG), pushed])
+    places = np.array([*booster.stations, *(s.station for s in booster.surfaces), jet])
+    G = booster.thrust_station
+    ends = np.array([*cuts, G])
+    ahead = np.maximum(ends[:, None] - places, 0.0)
+    axial = np.array([_axial(booster, columns, float(x)) for x in ends])
+    shear, moment = (places < ends[:, None]) @ forces, ahead @ forces + axial
+    thrust = _by_mode(booster, columns, [-booster.T * mode.slope(G) for mode in booster.modes])
+    thrust[columns.index("delta")] = booster.T
+    return SectionLoads(cuts, columns, shear[:-1], moment[:-1], shear[-1] + thrust, moment[-1])
+
+
+def with_moments(
+    closed_loop: control.StateSpace, loads: SectionLoads, gust: str = "alpha_g"
+) -> control.StateSpace:
+    """Return a closed loop with the bending moment at each station as further outputs.
+
+    Parameters
+    ----------
+    closed_loop : control.StateSpace
+        Its outputs hold the vehicle's states, delta, and if there is a jet delta_r.
+    loads : SectionLoads
+    gust : str
+        The input that is the gust's incidence.
+
+    Returns
+    -------
+    control.StateSpace
+        The new outputs are named "moment <station>" (lb ft).
+    """
+    names = list(closed_loop.output_labels)
+    rows, through = closed_loop.C, closed_loop.D
+    weights = np.zeros((loads.stations.size, len(names)))
+    direct = np.zeros((loads.stations.size, closed_loop.ninputs))
+    for at, column in enumerate(loads.columns):
+        if column in names:
+            weights[:, names.index(column)] = loads.moment[:, at]
+        elif column == "alpha_g" and gust in closed_loop.input_labels:
+            direct[:, closed_loop.input_labels.index(gust)] = loads.moment[:, at]
+    return control.ss(
+        closed_loop.A,
+        closed_loop.B,
+        np.vstack([rows, weights @ rows]),
+        np.vstack([through, weights @ through + direct]),
+        name=closed_loop.name,
+        inputs=closed_loop.input_labels,
+        outputs=[*names, *(f"moment {x:g}" for x in loads.stations)],
+        states=closed_loop.state_labels,
+    )

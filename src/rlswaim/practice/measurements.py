@@ -1,0 +1,101 @@
+"""What the report's loops measure and drive, as plants, and the limits of gyros and sensors by station."""
+
+import control
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rlswaim.practice.limits import limits
+from rlswaim.vehicle.equations import PerturbationEquations
+
+
+def attitude(eqs: PerturbationEquations, gyro: float | None) -> control.StateSpace:
+    """Return the plant of Section IV, from delta to the angle that a gyro reads.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gyro : float or None
+        Its station (ft); None is the rigid body's angle alone.
+
+    Returns
+    -------
+    control.StateSpace
+    """
+    row = {"theta": 1.0}
+    if gyro is not None:
+        row |= {f"q{i}": -mode.slope(gyro) for i, mode in enumerate(eqs.modes, start=1)}
+    return measured(eqs, [row], ["delta"])
+
+
+def displacement(eqs: PerturbationEquations, sensor: float) -> dict[str, float]:
+    """Return the row of a linear sensor's elastic part, -phi_i(sensor) for each q_i [Eq. 99].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    sensor : float
+        Its station (ft).
+
+    Returns
+    -------
+    dict of str to float
+    """
+    return {f"q{i}": -mode.deflection(sensor) for i, mode in enumerate(eqs.modes, start=1)}
+
+
+def measured(
+    eqs: PerturbationEquations, rows: list[dict[str, float]], inputs: list[str], jet: float | None = None
+) -> control.StateSpace:
+    """Return the vehicle with chosen effectors and with sensors that weigh its states.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    rows : list of dict
+        The weights of each sensor by state.
+    inputs : list of str
+        Of delta and delta_r.
+    jet : float, optional
+        Station of the jet (ft).
+
+    Returns
+    -------
+    control.StateSpace
+    """
+    vehicle = eqs.state_space() if jet is None else eqs.state_space(jet)
+    C = np.array([[row.get(name, 0.0) for name in vehicle.output_labels] for row in rows])
+    B = vehicle.B[:, [vehicle.input_labels.index(name) for name in inputs]]
+    return control.ss(vehicle.A, B, C, np.zeros((len(rows), len(inputs))), inputs=inputs)
+
+
+def gyro_bounds(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
+    """Return the least peak of S with a gyro at each of several stations: a map of the bound.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    stations : array_like, shape (n,)
+        In ft.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+    """
+    return np.array([limits(attitude(eqs, float(station))).peak for station in np.asarray(stations)])
+
+
+def sensor_bounds(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
+    """Return the least peak of S with Section V's linear sensor alone at each of several stations.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    stations : array_like, shape (n,)
+        In ft.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+    """
+    rows = ([displacement(eqs, float(station))] for station in np.asarray(stations))
+    return np.array([limits(measured(eqs, row, ["delta"])).peak for row in rows])
