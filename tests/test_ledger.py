@@ -17,6 +17,7 @@ from rlswaim.edition import causes, printed_closures, section_4
 from rlswaim.edition.ledger import VERDICTS, half_unit
 from rlswaim.figures.agreement import draw_differences
 from rlswaim.loops import closures
+from rlswaim.loops.transfer_functions import elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import number, read_table
 from rlswaim.vehicle.equations import printed_coefficients, with_reading
@@ -198,7 +199,7 @@ def test_small_real_part_in_eq_136():
 
     def part(eqs):
         read = with_reading(eqs, loop.sensor, causes.read_off()[39])
-        zeros = roots(closures.elastic_numerator(read, "delta", loop)[:6])
+        zeros = roots(elastic_numerator(read, loop.sensor, "delta", loop.jet)[:6])
         return zeros[zeros.imag > 0][0].real
 
     moves = [
