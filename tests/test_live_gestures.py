@@ -56,14 +56,8 @@ def test_a_pole_is_dragged_and_the_slider_follows_and_undo_takes_it_back(fresh):
     start = found.values()[name]
     found.root.locator("canvas[data-plane=locus]").scroll_into_view_if_needed()
     at = handles(found)
-    wanted = next(
-        v
-        for v in (
-            grid[k]
-            for k in range(found.view.parameters[found.numbers().index(name)].nearest(start) + 8, len(grid))
-        )
-        if v > 0
-    )
+    here = found.view.parameters[found.numbers().index(name)].nearest(start)
+    wanted = next(v for v in grid[here + 8 :] if v > 0)
     found.moved(name, [wanted], "table.poles")
     to = handles(found)
     found.moved(name, [start], "table.poles")
