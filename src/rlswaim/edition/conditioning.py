@@ -32,7 +32,14 @@ def without(*names: str) -> Reduce:
     """Return a reduction that holds the states with these ``names`` at zero."""
 
     def reduced(A: NDArray, states: list[str]) -> NDArray:
-        """Return the rows and columns of ``A`` that belong to the other ``states``."""
+        """Return the rows and columns of a state matrix that belong to the other states.
+
+        Parameters
+        ----------
+        A : ndarray, shape (..., n, n)
+        states : list of str
+            Names of the n states.
+        """
         kept = [i for i, state in enumerate(states) if state not in names]
         return A[..., kept, :][..., kept]
 
@@ -43,7 +50,7 @@ WHOLE = without()
 
 
 def zeros_of_theta(A: NDArray, states: list[str]) -> NDArray:
-    """Return the state matrices of what still moves while the thrust keeps theta at rest.
+    """Return the state matrices of the states that remain when the thrust holds theta at zero.
 
     Parameters
     ----------
