@@ -1,7 +1,7 @@
 """Why printed numbers are as they are: computations that repeat the slip and end at the printed number.
 
 ``data/causes.csv`` says for each disagreement of more than rounding what was found, or what was
-tried in vain; here is the number that each found cause leads to.
+tried in vain.  This module computes the number that each found cause leads to.
 """
 
 from typing import NamedTuple
@@ -47,13 +47,13 @@ def causes() -> tuple[Cause, ...]:
 
 
 def read_off() -> dict[int, tuple[float, float]]:
-    """Return the deflections of both modes that the report's later numbers ask for, by station (ft)."""
+    """Return the deflections of both modes with which the report's later numbers are met, by station (ft)."""
     rows = read_table("deflections_read")
     return {int(row["station_ft"]): (float(row["phi_1"]), float(row["phi_2"])) for row in rows}
 
 
 def rounded(x: float, digits: int) -> float:
-    """Return a number as one writes it down, with halves rounded away from zero.
+    """Return a number rounded to some significant digits, halves away from zero.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def _digits(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]
 
 
 def _readings(eqs: PerturbationEquations) -> dict[str, float]:
-    """Return gains and zeros that hang on deflections read off Figure 5."""
+    """Return gains and zeros that depend on deflections read off Figure 5."""
     drive = [eqs.coefficients["F1_delta"], eqs.coefficients["F2_delta"]]
     sums = {x: sum(rounded(p * f, 3) for p, f in zip(read_off()[x], drive, strict=True)) for x in (140, 300)}
     loop, kK_z = final_design()

@@ -89,7 +89,7 @@ def draw_printed_roots(ax: Axes, roots: ArrayLike, label: str = "printed in the 
 
 
 def _arrow(ax: Axes, branch: NDArray, color: str, window: Window) -> None:
-    """Point out the way of rising gain, halfway along the visible part of one branch."""
+    """Draw an arrow in the direction of rising gain, halfway along the visible part of one branch."""
     left, right, bottom, top = window
     seen = (
         (branch.real > left) & (branch.real < right) & (branch.imag >= max(bottom, 0)) & (branch.imag < top)
@@ -139,7 +139,7 @@ def draw_root_locus(
 
 
 def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:
-    """Mark the roots that few digits don't fix.
+    """Mark the roots that a small change of the coefficients moves far.
 
     Parameters
     ----------

@@ -23,7 +23,7 @@ from rlswaim.vehicle.modes import BendingMode
 from rlswaim.vehicle.stations import LENGTH, as_stations
 
 Entering = Mapping[str, tuple[str, int]]
-"""What a station enters by: factor to (deflection, slope or arm; which mode)."""
+"""The factors that a station enters by: name to (deflection, slope or arm; which mode)."""
 
 AT_SENSOR: Entering = {"phi_1": ("deflection", 0), "phi_2": ("deflection", 1)}
 AT_GYRO: Entering = {"sigma_1": ("slope", 0), "sigma_2": ("slope", 1)}
@@ -66,7 +66,9 @@ class ControlSystem:
         return [*OUTPUTS, "delta", *(["delta_r"] if "K_r" in self.actuators else [])]
 
     def at_factors(self, eqs: PerturbationEquations, **factors: float) -> control.StateSpace:
-        """Return the closed loop at given factors, by way of a place of its own for each station.
+        """Return the closed loop at given factors.
+
+        The stations are put at different places, and the mode shapes take the given factors there.
 
         Parameters
         ----------
