@@ -122,7 +122,7 @@ def readings(
     points: int = 150,
     seed: int = 1964,
 ) -> tuple[Readings, ...]:
-    """Return what becomes of each pair of Table 3 when the deflections are read otherwise.
+    """Return what closure 1 does for each pair of Table 3 if the deflections are read otherwise.
 
     Parameters
     ----------

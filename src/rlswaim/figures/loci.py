@@ -11,7 +11,7 @@ from rlswaim.loops.named_branches import NamedLocus
 from rlswaim.rootlocus.locus import RootLocus
 
 STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": (0, (5, 1, 1, 1, 1, 1))}
-"""A line style for each part, so that a locus is read without its colors too."""
+"""A line style for each part, so that a locus can be read without its colors."""
 
 PART_NAMES = {"rigid": "rigid body", "mode 1": "first mode", "mode 2": "second mode"}
 

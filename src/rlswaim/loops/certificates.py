@@ -1,10 +1,10 @@
-"""Proofs that no gains stabilize a loop, from characteristic equations that are affine in the gains.
+"""Characteristic equations that are affine in the gains: gains for a pole, and proofs that none stabilize.
 
 With x = K_A K_C, y = K_A K_C K_R and w = K_C K_z, every coefficient of the
 closed-loop characteristic polynomial of Sections IV to VI is affine in K_C, x,
 y and the w's.  A stable polynomial has coefficients of one sign, so a linear
 program can prove that no gains give stability: it finds a sum of coefficients
-with positive weights in which every gain cancels and what is left is negative.
+with positive weights in which every gain cancels and the rest is negative.
 """
 
 from collections.abc import Mapping, Sequence

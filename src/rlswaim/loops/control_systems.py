@@ -56,7 +56,7 @@ class ControlSystem:
 
     @property
     def gains(self) -> tuple[str, ...]:
-        """The factors that are no property of a station."""
+        """The factors that do not depend on a station."""
         at_stations = {factor for entering in self.stations.values() for factor in entering}
         return tuple(f for group in self.groups for f in group if f not in at_stations)
 
@@ -199,7 +199,7 @@ def _around(system: ControlSystem, eqs: PerturbationEquations) -> ControlledVehi
 def entering_value(
     modes: tuple[BendingMode, ...], l_CG: float, kind: str, mode: int, stations: NDArray
 ) -> NDArray:
-    """Return what stations enter the equations by.
+    """Return the deflections, slopes or arms by which stations enter the equations.
 
     Parameters
     ----------
@@ -209,7 +209,7 @@ def entering_value(
     kind : str
         ``"deflection"``, ``"slope"`` (1/ft) or ``"arm"`` (ft), the distance behind the center of gravity.
     mode : int
-        Which mode, from 0; of no meaning for an arm.
+        Which mode, from 0; an arm does not depend on it.
     stations : ndarray
         In feet.
     """
