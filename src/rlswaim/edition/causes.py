@@ -1,7 +1,7 @@
 """Why printed numbers are as they are: computations that repeat the slip and end at the printed number.
 
 ``data/causes.csv`` says for each disagreement of more than rounding what was found, or what was
-tried in vain; here is the number that each found cause leads to.
+tried in vain.  This module computes the number that each found cause leads to.
 """
 
 from typing import NamedTuple
@@ -47,13 +47,13 @@ def causes() -> tuple[Cause, ...]:
 
 
 def read_off() -> dict[int, tuple[float, float]]:
-    """Return the deflections of both modes that the report's later numbers ask for, by station (ft)."""
+    """Return the deflections of both modes with which the report's later numbers are met, by station (ft)."""
     rows = read_table("deflections_read")
     return {int(row["station_ft"]): (float(row["phi_1"]), float(row["phi_2"])) for row in rows}
 
 
 def rounded(x: float, digits: int) -> float:
-    """Return a number as one writes it down, with halves rounded away from zero.
+    """Return a number rounded to some significant digits, halves away from zero.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ def _digits(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]
 
 
 def _readings(eqs: PerturbationEquations) -> dict[str, float]:
-    """Return gains and zeros that hang on deflections read off Figure 5."""
+    """Return gains and zeros that depend on deflections read off Figure 5."""
     drive = [eqs.coefficients["F1_delta"], eqs.coefficients["F2_delta"]]
     sums = {x: sum(rounded(p * f, 3) for p, f in zip(read_off()[x], drive, strict=True)) for x in (140, 300)}
     loop, kK_z = final_design()
@@ -115,7 +115,7 @@ def _eq136_zeros(eqs: PerturbationEquations, loop: closures.JetLoop) -> NDArray:
 
 
 def printed_bracket() -> NDArray:
-    """Return the braces of Eq. 133 as printed, slips and all: as `closures.literal_bracket`."""
+    """Return the braces of Eq. 133 with the printed slips, in the form of `closures.literal_bracket`."""
     number = printed("VII", "eq133-")
     bracket = np.zeros((5, 2, 4))
     bracket[4, 0, 2], bracket[4, 1, 3] = -number["s4-1"], -number["s4-2"]
@@ -126,10 +126,10 @@ def printed_bracket() -> NDArray:
 
 
 def dropped_product(eqs: PerturbationEquations) -> NDArray:
-    """Return what phi_1(z) phi_1(r) loses in Eq. 133, powers s^0 to s^3: shape (4,).
+    """Return the product that the factor of phi_1(z) phi_1(r) in Eq. 133 lacks, s^0 to s^3: shape (4,).
 
-    The report's figures come out without Z_alpha (s + M_thetadot)(s^2 + F2_q2dot s + F2_q2), a
-    product of the cofactor (ours: the cause, found by subtracting).
+    The report's numbers follow if Z_alpha (s + M_thetadot)(s^2 + F2_q2dot s + F2_q2), a product of the
+    cofactor, is left out.  The report does not say so; the cause was found here, by subtraction.
     """
     c = eqs.coefficients
     product = npp.polymul([c["M_thetadot"], 1.0], [c["F2_q2"], c["F2_q2dot"], 1.0])
@@ -159,7 +159,7 @@ def _section_7(eqs: PerturbationEquations) -> dict[str, float]:
 
 
 def _counts(loop: closures.JetLoop) -> dict[str, float]:
-    """Return what the text counts, in Eq. 137 as printed."""
+    """Return the numbers of roots that the text states, counted in Eq. 137 as printed."""
     poles = np.array(printed_factors("eq137-pole-"))
     real = poles[poles.imag == 0]
     opened = printed_closure_3(*(printed("VII", "fig25-")[name] for name in ("K_C", "K_R")))
@@ -172,7 +172,7 @@ def _counts(loop: closures.JetLoop) -> dict[str, float]:
 
 
 def results() -> dict[str, float]:
-    """Return the number that each repeated slip ends at, by the id of its row."""
+    """Return the number that each repeated slip leads to, by the id of its row."""
     eqs, p = printed_equations(), printed("IV")
     found = _undivided(eqs, p) | _digits(eqs, p) | _readings(eqs) | _section_7(eqs)
     named = {row for cause in causes() if cause.to for row in cause.rows}

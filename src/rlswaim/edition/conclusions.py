@@ -22,20 +22,20 @@ from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equati
 
 
 class Margin(NamedTuple):
-    """Largest real part (1/s) of all poles but a slow real one, and that slow one (nan without)."""
+    """Largest real part (1/s) of all poles but a slow real one, and the slow one (nan if there is none)."""
 
     abscissa: float
     slow: float
 
 
 def margin(poles: NDArray) -> Margin:
-    """Return how stable a closed loop is, a slow real root set apart; poles in 1/s, shape (n,)."""
+    """Return the largest real part of all ``poles`` (1/s, shape (n,)) but a slow real one, and that one."""
     one = np.asarray(poles)[None]
     return Margin(float(abscissas(one, apart=True)[0]), float(slow_roots(one)[0]))
 
 
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
-    """Return the closed loop of a system with the gains found by hand, as state space.
+    """Return the closed loop of a system with the gains that were found by hand.
 
     Parameters
     ----------
@@ -47,13 +47,18 @@ def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
 
 
 def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
-    """Return the characteristic polynomial of the same system from determinants, constant term first.
+    """Return the characteristic polynomial of the same loop from determinants.
 
     Parameters
     ----------
     eqs : PerturbationEquations
     system : str
         ``"dual_actuation"``.
+
+    Returns
+    -------
+    ndarray, shape (n + 1,)
+        Constant term first.
     """
     return closed_loops.polynomial(eqs, system, found_gains(system))
 
@@ -61,8 +66,8 @@ def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
 def interlacing(eqs: PerturbationEquations) -> tuple[float, float]:
     """Return the positive real zero of theta/delta and the positive real pole (1/s).
 
-    A pole between the zero and infinity, one in number, rules out every stable controller of
-    the rigid-body angle (the parity interlacing of Youla, Bongiorno and Lu; not in the report).
+    If exactly one pole lies between the zero and infinity, no stable controller of the rigid-body
+    angle stabilizes the vehicle (parity interlacing of Youla, Bongiorno and Lu; not in the report).
     """
     zeros, poles = roots(eqs.numerator("theta", "delta")), roots(eqs.characteristic_polynomial())
     return float(zeros.real.max()), float(poles.real.max())
@@ -90,7 +95,7 @@ def stiffened(booster: Booster, factor: float) -> Booster:
     ----------
     booster : Booster
     factor : float
-        What the frequency of every mode is multiplied by.
+        Factor on the frequency of every mode.
     """
     return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
 
@@ -102,7 +107,7 @@ def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
     ----------
     booster : Booster
     payload, fins : float
-        What the lift of each surface is multiplied by.
+        Factors on the lift of the two surfaces.
     """
     pairs = zip(booster.surfaces, (payload, fins), strict=True)
     return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
@@ -134,10 +139,11 @@ def cures(booster: Booster) -> Mapping[str, float]:
 
 
 class Steered(NamedTuple):
-    """A vehicle with rate and attitude feedback to the thrust alone, a slow real root set apart.
+    """A vehicle with rate and attitude feedback to the thrust alone; a slow real root does not count.
 
-    Its unstable root without control (1/s); the number of gyro stations, and of those at which no
-    gains stabilize; and the least abscissa (1/s) that a search finds, nan where all are ruled out.
+    ``unstable`` is its unstable root without control (1/s).  ``stations`` is the number of gyro stations,
+    ``ruled_out`` the number of those at which no gains stabilize.  ``abscissa`` is the least that a search
+    finds (1/s); it is nan if all stations are ruled out.
     """
 
     unstable: float
@@ -154,6 +160,10 @@ def steered(booster: Booster, rounds: int = 400) -> Steered:
     booster : Booster
     rounds : int
         Generations of the search.
+
+    Returns
+    -------
+    Steered
     """
     eqs, stations = perturbation_equations(booster), range(0, 421, 5)
     ruled = sum(slow_root_certificate(eqs, float(x), slow=slow_bound()) > 1e-6 for x in stations)
@@ -163,10 +173,11 @@ def steered(booster: Booster, rounds: int = 400) -> Steered:
 
 
 class Damped(NamedTuple):
-    """A gust on the stiffened vehicle, its attitude loop closed and the jet damping its modes.
+    """The response of the stiffened vehicle to gusts, its attitude loop closed and the jet damping its modes.
 
-    ``zeta`` is the damping ratio of the first mode; the rest are root mean squares for white
-    noise of unit intensity in alpha_g (rad): of q_1 and q_2 (ft), delta (rad) and the jet (lb).
+    ``kK_z`` is the gain of the jet's loop (lb s/ft) and ``zeta`` the damping ratio of the first mode.
+    The rest are root mean squares for white noise of unit intensity in alpha_g (rad): of q_1 and
+    q_2 (ft), delta (rad) and the jet (lb).
     """
 
     kK_z: float
@@ -178,7 +189,7 @@ class Damped(NamedTuple):
 
 
 def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
-    """Return what damping the modes does to the response to gusts with little interaction [conclusion 6].
+    """Return how damping the modes changes the response to gusts of a stiffened vehicle [conclusion 6].
 
     Parameters
     ----------
@@ -186,7 +197,11 @@ def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
     kK_z : float
         Gain of the jet's loop (lb s/ft); its other constants are those of `found_gains`.
     factor : float
-        Of both frequencies; the attitude loop is designed for the rigid body, as in Section IV.
+        Factor on both frequencies.  The attitude loop is designed for the rigid body, as in Section IV.
+
+    Returns
+    -------
+    Damped
     """
     stiff = stiffened(booster, factor)
     eqs = perturbation_equations(stiff)
@@ -202,7 +217,7 @@ def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
 
 
 def with_longitudinal(eqs: PerturbationEquations, alpha_0: float) -> float:
-    """Return the unstable root (1/s) with the equation along x added [recommendation 4].
+    """Return the unstable root (1/s) of the vehicle with the equation of motion along x [recommendation 4].
 
     Parameters
     ----------

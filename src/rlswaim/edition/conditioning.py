@@ -32,7 +32,14 @@ def without(*names: str) -> Reduce:
     """Return a reduction that holds the states with these ``names`` at zero."""
 
     def reduced(A: NDArray, states: list[str]) -> NDArray:
-        """Return the rows and columns of ``A`` that belong to the other ``states``."""
+        """Return the rows and columns of a state matrix that belong to the other states.
+
+        Parameters
+        ----------
+        A : ndarray, shape (..., n, n)
+        states : list of str
+            Names of the n states.
+        """
         kept = [i for i, state in enumerate(states) if state not in names]
         return A[..., kept, :][..., kept]
 
@@ -43,7 +50,7 @@ WHOLE = without()
 
 
 def zeros_of_theta(A: NDArray, states: list[str]) -> NDArray:
-    """Return the state matrices of what still moves while the thrust keeps theta at rest.
+    """Return the state matrices of the states that remain when the thrust holds theta at zero.
 
     Parameters
     ----------
@@ -171,11 +178,13 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Loo
     number, chosen, (jet, kK_z) = printed("IV"), printed("VII", "fig25-"), final_design()
 
     def attitude(gyro: float | None, gain: float, reduce: Reduce = WHOLE) -> LoopInCoefficients:
+        """Return Section IV's loop with a ``gyro`` at a station (ft), K_A = ``gain``, and reduced states."""
         K_C, K_R = number["fig8-K_C"], number["eq75-K_R"]
         fixed: dict[str, Any] = {"K_A": gain, "K_C": K_C, "K_R": K_R, "gyro": gyro}
         return loop_in_coefficients(eqs, lambda e: rate_attitude(e, **fixed), reduce)
 
     def closure(gain: float, reduce: Reduce = WHOLE) -> LoopInCoefficients:
+        """Return Section VII's loop with K_A = ``gain``, and reduced states."""
         rest = {"K_C": chosen["K_C"], "K_R": chosen["K_R"], "kK_z": kK_z, **jet._asdict()}
         return loop_in_coefficients(eqs, lambda e: dual_actuation(e, K_A=gain, **rest), reduce)
 

@@ -1,4 +1,4 @@
-"""What of Section III would be left if the vehicle's data were consistent: other modes, other flight."""
+"""Section III's findings for vehicles whose data are consistent: other modes, other flight conditions."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -25,7 +25,7 @@ from rlswaim.vehicle.trajectory import (
 def flight_conditions(
     booster: Booster, ascent: Ascent, gamma_0: PitchProgram
 ) -> Mapping[str, FlightCondition]:
-    """Return the printed flight condition and those that agree with the air and with the path of flight.
+    """Return the printed flight condition, and others that fit the atmosphere and the flight path.
 
     Parameters
     ----------
@@ -33,7 +33,12 @@ def flight_conditions(
         Its flight condition is the printed one.
     ascent : Ascent
     gamma_0 : callable
-        Pitch program of the flown ones: flight path angle (rad) at time (s).
+        Pitch program of the computed flights: flight path angle (rad) at time (s).
+
+    Returns
+    -------
+    mapping of str to FlightCondition
+        By what each one is computed from.
     """
     printed = booster.flight
     t, U, h = printed.t, printed.U, printed.h

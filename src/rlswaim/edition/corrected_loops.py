@@ -1,4 +1,4 @@
-"""Where the report's slips lead: the same loop along its own printed numbers and along corrected ones.
+"""Open loops with the report's printed numbers and with corrected ones, so that their loci can be compared.
 
 Every function returns open loops by ``"report"`` and ``"corrected"``, for root loci on the same axes.
 The pairs of Sections V and VI are those of `section_5` and `section_6`
@@ -20,7 +20,7 @@ Loops = dict[str, control.TransferFunction]
 
 
 def coupling_loops(eqs: PerturbationEquations) -> Loops:
-    """Return coupling over uncoupled part of Eq. 42: the gain is the strength of the coupling, 1 in flight.
+    """Return the coupling part of Eq. 42 over the uncoupled part; in flight the gain is 1.
 
     The report compares Eq. 51, not over U, with Eq. 50, over U, as if both had one scale.
     """

@@ -5,7 +5,7 @@ from rlswaim.source.tables import number, read_table
 
 
 def value(cell: str) -> float | str:
-    """Return what a ``cell`` of a table of gains stands for: a number, or else its words."""
+    """Return the number in a ``cell`` of a table of gains, or its text if it holds no number."""
     try:
         return number(cell)
     except ValueError:

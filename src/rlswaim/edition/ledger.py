@@ -2,8 +2,8 @@
 
 A row of ``data/printed.csv`` holds the number as printed, as text: half a unit
 in its last digit is its tolerance.  The verdicts are a short fixed list, and
-each is tested both ways: a row that is said to disagree and starts to agree is
-an error too.
+each is tested both ways: a test fails if a row's numbers disagree and its
+verdict is "agrees", and also if they agree and its verdict is another.
 """
 
 from collections.abc import Callable, Iterable
@@ -34,12 +34,12 @@ SECTIONS: dict[str, Callable[[], dict[str, float]]] = {
     "VI": section_6.computed,
     "VII": section_7.computed,
 }
-"""What computes the numbers beside those of each section."""
+"""For each section of the report, the function that computes our numbers."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One printed number and what became of it."""
+    """One printed number, the number computed here, and the verdict on the difference."""
 
     id: str
     section: str
@@ -183,7 +183,7 @@ def counts() -> pd.DataFrame:
 
 
 def repeated_slips() -> pd.DataFrame:
-    """Return each repeated slip or reading beside the printed number that it ends at, indexed by id.
+    """Return each slip or reading that was repeated, and the printed number that it leads to, by id.
 
     Columns: where, printed, computed, with the slip, to (how near it comes), what was done.
     """
@@ -201,7 +201,7 @@ def repeated_slips() -> pd.DataFrame:
 
 
 def open_causes(found: str) -> pd.DataFrame:
-    """Return causes of one kind without a number to end at: ``found`` is "no" or "reading".
+    """Return the causes of one kind that lead to no number: ``found`` is "no" or "reading".
 
     Columns: rows (ids), and what was tried or read.
     """

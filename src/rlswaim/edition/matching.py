@@ -74,7 +74,9 @@ def printed_roots(section: str, start: str) -> dict[str, complex]:
 
 
 def roots_beside(section: str, start: str, computed: NDArray) -> dict[str, float]:
-    """Return our number for each row of printed roots, each paired with a root of its own, nearest in all.
+    """Return our number for each row of printed roots.
+
+    Each printed root is paired with another one of ours, so that the sum of all distances is least.
 
     Parameters
     ----------

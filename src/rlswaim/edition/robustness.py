@@ -1,4 +1,4 @@
-"""How much a closed loop of Section VII bears: other mode shapes, other loop gains, delay."""
+"""How robust a closed loop of Section VII is: against other mode shapes, other loop gains and delay."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -18,13 +18,13 @@ from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equati
 from rlswaim.vehicle.modes import BendingMode
 
 ACTUATORS = {"thrust": 7, "jet": 8}
-"""Row of each actuator in the state matrix of `dual_actuation`: there the loop is opened."""
+"""Row of each actuator in the state matrix of `dual_actuation`; the loop is opened in front of it."""
 FACTORS = np.geomspace(1e-3, 1e3, 6001)
-"""Loop gains that are tried, a quarter of a percent apart."""
+"""Factors on the loop gain that are tried, a quarter of a percent apart."""
 
 
 class Margins(NamedTuple):
-    """What one actuator's loop bears: factors on its gain, down and up, and a delay (s)."""
+    """Limits of one actuator's loop: the factors on its gain, and the delay (s), that make it unstable."""
 
     lower: float
     upper: float
@@ -124,13 +124,14 @@ def _delay(A: NDArray, at: int) -> float:
 
 
 def borne(eqs: PerturbationEquations, booster: Booster, gains: Mapping[str, float]) -> dict[str, str]:
-    """Return what one loop bears, as texts by row: largest real parts (1/s), then margins.
+    """Return the robustness of one loop as texts by row: largest real parts (1/s), then margins.
 
     Parameters
     ----------
     eqs : PerturbationEquations
         With the printed coefficients.
     booster : Booster
+        The vehicle whose data give the other coefficients and the scaled mode shapes.
     gains : mapping of str to float
         The arguments of `rlswaim.dual_actuation`.
     """
@@ -146,11 +147,11 @@ def borne(eqs: PerturbationEquations, booster: Booster, gains: Mapping[str, floa
         f"{name} (1/s)": f"{abscissas(p, True).max():.3f}, slow root {_slow(p)}" for name, p in cases.items()
     }
     for name in ACTUATORS:
-        bears = margins(eqs, gains, name)
-        less = f"down to {bears.lower:.2f}" if bears.lower else "any less"
-        more = f"up to {bears.upper:.2f}" if np.isfinite(bears.upper) else "any more"
+        limits = margins(eqs, gains, name)
+        less = f"down to {limits.lower:.2f}" if limits.lower else "any less"
+        more = f"up to {limits.upper:.2f}" if np.isfinite(limits.upper) else "any more"
         rows[f"factor on the gain of the {name} loop"] = f"{less}, {more}"
-        rows[f"delay in the {name} loop (s)"] = f"{bears.delay:.2g}"
+        rows[f"delay in the {name} loop (s)"] = f"{limits.delay:.2g}"
     return rows
 
 

@@ -25,10 +25,11 @@ OBJECTIVES = {
     "pair-all": "all roots, a pair held at 2 rad/s and .5",
     "pair-apart": "all but a slow one, the pair held",
 }
-"""Whose abscissa shall be least; ``pair``: with the K_A and K_R that put a pair at `WANTED`."""
+"""The roots whose largest real part a search minimizes; ``pair``: K_A and K_R put a pair at `WANTED`."""
 OUT_OF_BOUNDS = 1e6
+"""Cost (1/s) of gains beyond the bounds, so that the search leaves them."""
 SEEDS, ROUNDS, PEOPLE = range(1964, 1970), 1000, 15
-"""Of the long searches: an evolution for each seed; generations; loops in each for each unknown."""
+"""For the long searches: the seeds, one evolution each; generations; loops in each for each unknown."""
 
 
 class Found(NamedTuple):
@@ -43,7 +44,7 @@ class Found(NamedTuple):
 
 
 def slow_bound() -> float:
-    """Return the size (1/s) below which a real root counts as slow: its time constant outlasts the burn."""
+    """Return the size (1/s) below which a real root is slow: its time constant is longer than the burn."""
     return 1 / constants("vehicle")["t_burn"]
 
 
@@ -60,14 +61,14 @@ def slow_roots(poles: NDArray) -> NDArray:
 
 
 def abscissas(poles: NDArray, apart: bool) -> NDArray:
-    """Return the largest real part (1/s) in each row of poles, a slow real one set apart or not.
+    """Return the largest real part (1/s) in each row of poles, with or without a slow real pole.
 
     Parameters
     ----------
     poles : ndarray of complex, shape (S, n)
         In 1/s.
     apart : bool
-        Whether a slow real root does not count.
+        Whether a slow real root is left out.
 
     Returns
     -------
@@ -78,7 +79,15 @@ def abscissas(poles: NDArray, apart: bool) -> NDArray:
 
 
 def _spread(row: Mapping[str, str], u: NDArray) -> NDArray:
-    """Return the values of one parameter at ``u`` in 0..1: even, even in the logarithm, or in arcsinh."""
+    """Return the values of one parameter at ``u`` in 0..1, spread evenly, in the logarithm or in arcsinh.
+
+    Parameters
+    ----------
+    row : mapping of str to str
+        The parameter's row of ``data/search_bounds.csv``.
+    u : ndarray
+        Places between the lower bound, 0, and the upper one, 1.
+    """
     low, high, spread = float(row["low"]), float(row["high"]), row["spread"]
     if spread == "even":
         return low + (high - low) * u
@@ -88,7 +97,20 @@ def _spread(row: Mapping[str, str], u: NDArray) -> NDArray:
 
 
 def _objective(loops: ControlledVehicle, gains: Mapping[str, NDArray], objective: str) -> NDArray:
-    """Return the abscissas (1/s) at many gains; shape (S,)."""
+    """Return the abscissas (1/s) that a search minimizes, at many gains.
+
+    Parameters
+    ----------
+    loops : ControlledVehicle
+    gains : mapping of str to ndarray, shape (S,)
+        Gains and stations.
+    objective : str
+        One of `OBJECTIVES`.
+
+    Returns
+    -------
+    ndarray, shape (S,)
+    """
     return abscissas(np.linalg.eigvals(loops.matrices(**gains)), objective.endswith("apart"))
 
 
@@ -105,15 +127,26 @@ def search(
     Parameters
     ----------
     eqs : PerturbationEquations
-    system, objective : str
-        One of `LOOPS` and one of `OBJECTIVES`.
-    seed, rounds, people : int
-        Of the evolution: seed, generations, and loops in each for each unknown.
+    system : str
+        One of `LOOPS`.
+    objective : str
+        One of `OBJECTIVES`.
+    seed : int
+        Seed of the evolution's random numbers.
+    rounds : int
+        Number of generations.
+    people : int
+        Number of loops in each generation for each unknown.
 
     Returns
     -------
     Found
-        Its gains rounded to nine digits.
+        Its gains are rounded to nine digits.
+
+    Raises
+    ------
+    ValueError
+        If the system or the objective is unknown.
     """
     rows = bounds(system)
     checks.one_of("objective", objective, tuple(OBJECTIVES), "search")
@@ -178,8 +211,8 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
     Returns
     -------
     dict of str to dict of str to str
-        The rows are the gains and stations, then the largest real part counted, from the wired
-        state space and from determinants, the slow root and its time constant.
+        Column, row, text.  The rows are the gains and stations; the objective's abscissa (1/s), from the
+        wired state space and from determinants; the slow root (1/s) and its time constant (s).
     """
     rows = bounds(system)
     columns = {"between": {_named(n, r): _between(r) for n, r in rows.items()}}

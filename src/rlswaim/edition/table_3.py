@@ -43,7 +43,7 @@ def pairs() -> tuple[tuple[int, float, float], ...]:
 
 
 def trials(eqs: PerturbationEquations, points: int = 600) -> tuple[Trial, ...]:
-    """Return what becomes of each pair of Table 3.
+    """Return what closure 1 does for each pair of Table 3.
 
     Parameters
     ----------

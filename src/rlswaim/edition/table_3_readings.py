@@ -22,11 +22,11 @@ from rlswaim.vehicle.coupling import elastic_poles
 from rlswaim.vehicle.equations import PerturbationEquations, with_reading
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
-"""Corners of the box of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
+"""Signs of the errors of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
 
 
 class Readings(NamedTuple):
-    """What becomes of one pair of Table 3 in the box.
+    """What closure 1 does for one pair of Table 3 over the box of possible readings.
 
     ``nominal`` is its `Trial` as read here.  ``rises``, ``ends`` and ``steadies`` count the readings, of
     ``total`` with the nominal one, that rise throughout, that are at least higher at the end, and that leave
@@ -66,7 +66,7 @@ def deflections(eqs: PerturbationEquations, loop: JetLoop) -> NDArray:
 
 
 def starting_rates(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> NDArray:
-    """Return d|s|/d(kK_z) of both elastic roots where the gain leaves zero.
+    """Return d|s|/d(kK_z) of both elastic roots at kK_z = 0.
 
     Parameters
     ----------
@@ -122,7 +122,7 @@ def readings(
     points: int = 150,
     seed: int = 1964,
 ) -> tuple[Readings, ...]:
-    """Return what becomes of each pair of Table 3 when the deflections are read otherwise.
+    """Return what closure 1 does for each pair of Table 3 if the deflections are read otherwise.
 
     Parameters
     ----------

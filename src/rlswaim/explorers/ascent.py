@@ -18,12 +18,12 @@ from rlswaim.vehicle.trajectory import Ascent, Trajectory, fly, turn
 
 UPRIGHT = (0, 6, 12, 18)
 LEVEL = (100, 102, 104, 107, 110, 114, 118, 123, 128, 134, 141, 150, 160, 170, 180)
-"""Pitch programs (s) that are flown ahead; the view takes straight lines between them."""
+"""Pitch programs (s) whose flights Python integrates; the view interpolates linearly between them."""
 FINE = np.linspace(0.0, 100.0, 1001)
 TIMES = FINE[::20]
-"""Times (s) of the flights, and those at which they are sent."""
+"""FINE holds the times (s) of the integrated flights, TIMES those at which the browser gets them."""
 CURVES = {"U": 1, "h": 0, "q_D": 1}
-"""What is sent, and with how many decimals."""
+"""The quantities that the browser gets, each with its number of decimals."""
 
 
 def whole_seconds(name: str, value: object, where: str, *, low: int, high: int) -> int:
@@ -93,7 +93,7 @@ def flights(ascent: Ascent, uprights: tuple[float, ...], levels: tuple[float, ..
 
 
 def between_nodes(tables: dict[str, NDArray], name: str) -> NDArray:
-    """Return the means of each cell's four corners: the straight-line values in the middles of the cells.
+    """Return a table's values in the middle of each cell of programs: the mean of the cell's four corners.
 
     Parameters
     ----------
@@ -115,13 +115,18 @@ def _middles(nodes: Sequence[float]) -> tuple[float, ...]:
 
 
 def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tuple[int, int]:
-    """Return the program in `flights`' tables with the least largest relative miss of a printed flight.
+    """Return the pitch program whose flight comes nearest to a printed flight condition.
+
+    At the printed time U, h and q_D of a flight each differ from the printed value by some share of it.
+    The largest of these three shares is the flight's distance, and the program with the least distance
+    is returned.
 
     Parameters
     ----------
     tables : dict
-        Of all UPRIGHT and LEVEL.
+        As `flights` returns them for all of UPRIGHT and LEVEL.
     flight : FlightCondition
+        The printed flight condition.
 
     Returns
     -------
@@ -129,15 +134,16 @@ def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tupl
         Upright until, level at (s).
     """
 
-    def miss(name: str) -> NDArray:
+    def difference(name: str) -> NDArray:
+        """Return by what share each flight differs from the printed ``name``."""
         wanted = getattr(flight, name)
         at = int(np.searchsorted(TIMES, flight.t))
         share = (flight.t - TIMES[at - 1]) / (TIMES[at] - TIMES[at - 1])
         there = tables[name][..., at - 1] * (1 - share) + tables[name][..., at] * share
         return np.abs(there / wanted - 1)
 
-    worst = np.max([miss(name) for name in CURVES], axis=0)
-    i, k = np.unravel_index(worst.argmin(), worst.shape)
+    distance = np.max([difference(name) for name in CURVES], axis=0)
+    i, k = np.unravel_index(distance.argmin(), distance.shape)
     return UPRIGHT[i], LEVEL[k]
 
 
@@ -157,7 +163,7 @@ class AscentView(LiveView):
             ("The book’s program", "vertical at launch, level at burnout", start),
             (
                 "Nearest to the report",
-                "the smallest largest miss of U, h and q_D",
+                "U, h and q_D differ least from the printed ones",
                 {"upright": upright, "level": level},
             ),
             ("Steep", "the steepest program of this view", {"upright": 18, "level": 180}),

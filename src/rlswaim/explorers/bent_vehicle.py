@@ -58,7 +58,7 @@ def forces(booster: Booster) -> dict[str, dict[str, dict[str, float]]]:
 
 
 def _loads(booster: Booster) -> dict[str, dict[str, float]]:
-    """Return the loads behind Eq. 29's coefficients: times inertia, without the structure's own spring."""
+    """Return Eq. 29's coefficients times the inertias: the loads, without the structure's stiffness."""
     inertia = (-booster.M, -booster.I_y, *(mode.mass for mode in booster.modes))
     c = dict(perturbation_equations(booster).coefficients)
     for i, mode in enumerate(booster.modes, start=1):

@@ -33,7 +33,7 @@ UNITS = {"alpha": "rad", "theta": "rad", "q1": "ft", "q2": "ft", "delta": "rad",
 
 
 def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, Any]:
-    """Return what the browser gets of a control system, but where its sliders stand.
+    """Return what the browser gets of a control system; the sliders' values are traits of the widget.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def _vehicle(eqs: PerturbationEquations) -> dict[str, Any]:
 
 
 def _source(eqs: PerturbationEquations) -> str:
-    """Return the call of the library that gives these equations, ``eqs`` if it is none of the book's."""
+    """Return the Python call that makes these equations, or ``eqs`` if the book has no such call."""
     if eqs.source == printed_equations().source:
         return "rl.printed_equations()"
     return "rl.perturbation_equations(rl.swaim_booster())" if eqs.source == swaim_booster().name else "eqs"

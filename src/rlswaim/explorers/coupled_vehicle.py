@@ -112,7 +112,7 @@ def _one_of(name: str, value: object, where: str, known: Sequence[str]) -> str:
     return checks.one_of(name, value, known, where)
 
 
-def cures(booster: Booster) -> list[dict]:
+def cure_presets(booster: Booster) -> list[dict]:
     """Return the vehicle as it is and the three cures of conclusion 2 as values of the sliders."""
     own = own_values(booster)
     payload, fins = (s.name for s in booster.surfaces)
@@ -155,7 +155,7 @@ class CoupledVehicle(LiveView):
             "determinant": determinant_table(range(4), booster.flight.U),
             "blocks": tables,
             "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
-            "presets": cures(booster),
+            "presets": cure_presets(booster),
         }
         super().__init__(
             parameters(booster), payload, {**own_values(booster), "running": "coupling", **values}

@@ -11,7 +11,7 @@ from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.eq_29 import Product, equation_terms, products
 
 BLOCKS = {"short period": (0, 1), "mode 1": (2,), "mode 2": (3,)}
-"""Rows and columns of Eq. 29 that each motion would have to itself."""
+"""Rows and columns of Eq. 29 that each motion would have without coupling."""
 
 
 class DeterminantTerm(NamedTuple):
@@ -23,14 +23,16 @@ class DeterminantTerm(NamedTuple):
 
 
 def _uncoupled(booster: Booster) -> set[str]:
-    """Return the coefficients that stay where each motion is by itself: those of `BLOCKS`."""
+    """Return the coefficients within the `BLOCKS`, which remain without coupling."""
     block = {i: name for name, rows in BLOCKS.items() for i in rows}
     terms = equation_terms(len(booster.modes), booster.flight.U)
     return {term.coefficient for term in terms if block[term.row] == block[term.column]}
 
 
 def coupled_products(booster: Booster) -> dict[str, tuple[Product, ...]]:
-    """Return `products`, those that couple motions times one more factor: ``coupling``, 1 for the vehicle.
+    """Return the coefficients of Eq. 29 as `products`, with a factor for the strength of the coupling.
+
+    Coefficients that couple two motions have one more factor, ``coupling``; it is 1 for the vehicle.
 
     Parameters
     ----------

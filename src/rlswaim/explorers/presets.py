@@ -19,7 +19,7 @@ CORRECTED = {
     "Table 3, case 1": "gains chosen by hand for case 1: no root right of the axis",
     "Search, modest jet": "found by a search, rounded: all roots left of the axis, a pair at 2 rad/s and .5",
 }
-"""What the book sets against the report's designs, by name, and in what it differs."""
+"""Designs of the book beside the report's, by name, and how each differs from them."""
 SEARCHED = {
     "V": ("single_sensor", "apart", "Search"),
     "VI": ("two_sensor", "apart", "Search"),
@@ -36,7 +36,7 @@ COMPARED = {
 
 
 def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dict[str, Value]]:
-    """Return designs of one section as they should be: the rigid-body design of Eqs. 61 to 75, gains found.
+    """Return the corrected designs of one section: the rigid-body design of Eqs. 61 to 75, or gains found.
 
     Parameters
     ----------

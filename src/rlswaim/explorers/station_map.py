@@ -21,7 +21,7 @@ from rlswaim.loops.station_maps import station_map
 from rlswaim.vehicle.equations import PerturbationEquations
 
 
-def designs() -> dict[str, dict[str, Value]]:
+def map_designs() -> dict[str, dict[str, Value]]:
     """Return the pair that works and the report's own design, as values of the sliders."""
     printed = presets.designs("VII")
     return {
@@ -39,7 +39,7 @@ class StationMap(LiveView):
     def __init__(
         self, eqs: PerturbationEquations, beside: widgets.Widget | None = None, **values: Value
     ) -> None:
-        self._eqs, chosen = eqs, designs()
+        self._eqs, chosen = eqs, map_designs()
         payload = {
             "terms": [term._asdict() for term in DUAL_ACTUATION.system.polynomial(eqs).terms],
             "shapes": DUAL_ACTUATION.shape_values(eqs),

@@ -1,4 +1,4 @@
-"""The still of a live view: the picture that stands for it where no script runs, as on paper."""
+"""The still of a live view: the picture that a reader sees where no script runs, as on paper."""
 
 from base64 import b64encode
 from collections.abc import Callable

@@ -154,13 +154,20 @@ VIEWS = {view.section: view for view in (RATE_ATTITUDE, SINGLE_SENSOR, TWO_SENSO
 
 
 def values_at_feet(eqs: PerturbationEquations, kind: str, mode: int) -> list[float]:
-    """Return what a station enters the equations by, at each foot of the vehicle.
+    """Return a deflection, a slope or an arm at each foot of the vehicle.
 
     Parameters
     ----------
     eqs : PerturbationEquations
-    kind, mode : str, int
-        As in `rlswaim.loops.control_systems.entering_value`.
+    kind : str
+        ``"deflection"``, ``"slope"`` (1/ft) or ``"arm"`` (ft).
+    mode : int
+        Which mode, from 0; an arm does not depend on it.
+
+    Returns
+    -------
+    list of float
+        At stations 0 to 420 ft.
     """
     feet = np.array(FEET, dtype=float)
     return np.asarray(entering_value(eqs.modes, eqs.l_CG, kind, mode, feet)).tolist()

@@ -27,7 +27,7 @@ class Explorer(LiveView):
     """
 
     view = "workbench"
-    magnify = traitlets.Float(1.0, help="of the small window about the origin; 1: none").tag(sync=True)
+    magnify = traitlets.Float(1.0, help="how much the inset enlarges the origin; 1: no inset").tag(sync=True)
 
     def __init__(
         self,

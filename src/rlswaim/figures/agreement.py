@@ -10,7 +10,7 @@ from rlswaim.edition.ledger import VERDICTS, Entry
 from rlswaim.figures.style import COLORS
 
 FLOOR = 1e-4
-"""Differences below this (percent), zero among them, are drawn at it."""
+"""Smaller differences (percent), zero among them, are drawn at this value."""
 
 MARKS = {
     "agrees": (".", COLORS["neutral"]),
@@ -22,7 +22,7 @@ MARKS = {
     "carried over from a slip": ("v", COLORS["corrected"]),
     "not reproducible": ("x", COLORS["printed"]),
 }
-"""Marker and color of each verdict: told apart by shape as well."""
+"""Marker and color of each verdict; the markers differ in shape as well."""
 
 
 def draw_differences(ax: Axes, entries: Sequence[Entry]) -> Axes:

@@ -11,7 +11,7 @@ from rlswaim.loops.named_branches import NamedLocus
 from rlswaim.rootlocus.locus import RootLocus
 
 STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": (0, (5, 1, 1, 1, 1, 1))}
-"""A line style for each part, so that a locus is read without its colors too."""
+"""A line style for each part, so that a locus can be read without its colors."""
 
 PART_NAMES = {"rigid": "rigid body", "mode 1": "first mode", "mode 2": "second mode"}
 
@@ -89,7 +89,7 @@ def draw_printed_roots(ax: Axes, roots: ArrayLike, label: str = "printed in the 
 
 
 def _arrow(ax: Axes, branch: NDArray, color: str, window: Window) -> None:
-    """Point out the way of rising gain, halfway along the visible part of one branch."""
+    """Draw an arrow in the direction of rising gain, halfway along the visible part of one branch."""
     left, right, bottom, top = window
     seen = (
         (branch.real > left) & (branch.real < right) & (branch.imag >= max(bottom, 0)) & (branch.imag < top)
@@ -139,7 +139,7 @@ def draw_root_locus(
 
 
 def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:
-    """Mark the roots that few digits don't fix.
+    """Mark the roots that a small change of the coefficients moves far.
 
     Parameters
     ----------

@@ -10,4 +10,4 @@ COLORS = {
     "corrected": "#E69F00",
     "neutral": "#7F7F7F",
 }
-"""Okabe and Ito's colors, told apart by color-blind readers; a mode keeps its own in every figure."""
+"""Okabe and Ito's colors, which color-blind readers can tell apart; a mode has one color in all figures."""

@@ -55,7 +55,7 @@ def draw_masses(ax: Axes, booster: Booster) -> Axes:
 def draw_elastic_axis(
     ax: Axes, booster: Booster, q_1: float = 0.0, q_2: float = 0.0, theta: float = 0.0, delta: float = 0.0
 ) -> Axes:
-    """Draw the elastic axis and the exhaust, out of their places [Figure 2].
+    """Draw the bent elastic axis and the deflected exhaust [Figure 2].
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
-"""What no choice of gains can change: characteristic equations as affine functions of the gains.
+"""Characteristic equations that are affine in the gains: gains for a pole, and proofs that none stabilize.
 
 With x = K_A K_C, y = K_A K_C K_R and w = K_C K_z, every coefficient of the
 closed-loop characteristic polynomial of Sections IV to VI is affine in K_C, x,
 y and the w's.  A stable polynomial has coefficients of one sign, so a linear
 program can prove that no gains give stability: it finds a sum of coefficients
-with positive weights in which every gain cancels and what is left is negative.
+with positive weights in which every gain cancels and the rest is negative.
 """
 
 from collections.abc import Mapping, Sequence
@@ -106,7 +106,7 @@ class Certificate(NamedTuple):
 def stability_certificate(
     eqs: PerturbationEquations, gyro: float | None, sensors: Sequence[float] = ()
 ) -> Certificate:
-    """Return whether any real gains at all could make every coefficient positive.
+    """Return the proof, where there is one, that no real gains make every coefficient positive.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def stability_certificate(
 def slow_root_certificate(
     eqs: PerturbationEquations, gyro: float | None, sensors: Sequence[float] = (), slow: float = 0.0
 ) -> float:
-    """Return how far all gains fail to leave nothing but one slow real root right of the axis.
+    """Return a number that is positive only if no gains stabilize all roots but one slow real root.
 
     Parameters
     ----------
@@ -152,7 +152,8 @@ def slow_root_certificate(
     Returns
     -------
     float
-        When positive, no gains of any sign put all other roots left of the axis; 0 decides nothing.
+        If it is positive, no gains of either sign put all other roots left of the axis.  If it is 0,
+        nothing is proved.
 
     Notes
     -----

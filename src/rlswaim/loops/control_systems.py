@@ -23,7 +23,7 @@ from rlswaim.vehicle.modes import BendingMode
 from rlswaim.vehicle.stations import LENGTH, as_stations
 
 Entering = Mapping[str, tuple[str, int]]
-"""What a station enters by: factor to (deflection, slope or arm; which mode)."""
+"""The factors that a station enters by: name to (deflection, slope or arm; which mode)."""
 
 AT_SENSOR: Entering = {"phi_1": ("deflection", 0), "phi_2": ("deflection", 1)}
 AT_GYRO: Entering = {"sigma_1": ("slope", 0), "sigma_2": ("slope", 1)}
@@ -56,7 +56,7 @@ class ControlSystem:
 
     @property
     def gains(self) -> tuple[str, ...]:
-        """The factors that are no property of a station."""
+        """The factors that do not depend on a station."""
         at_stations = {factor for entering in self.stations.values() for factor in entering}
         return tuple(f for group in self.groups for f in group if f not in at_stations)
 
@@ -66,7 +66,9 @@ class ControlSystem:
         return [*OUTPUTS, "delta", *(["delta_r"] if "K_r" in self.actuators else [])]
 
     def at_factors(self, eqs: PerturbationEquations, **factors: float) -> control.StateSpace:
-        """Return the closed loop at given factors, by way of a place of its own for each station.
+        """Return the closed loop at given factors.
+
+        The stations are put at different places, and the mode shapes take the given factors there.
 
         Parameters
         ----------
@@ -197,7 +199,7 @@ def _around(system: ControlSystem, eqs: PerturbationEquations) -> ControlledVehi
 def entering_value(
     modes: tuple[BendingMode, ...], l_CG: float, kind: str, mode: int, stations: NDArray
 ) -> NDArray:
-    """Return what stations enter the equations by.
+    """Return the deflections, slopes or arms by which stations enter the equations.
 
     Parameters
     ----------
@@ -207,7 +209,7 @@ def entering_value(
     kind : str
         ``"deflection"``, ``"slope"`` (1/ft) or ``"arm"`` (ft), the distance behind the center of gravity.
     mode : int
-        Which mode, from 0; of no meaning for an arm.
+        Which mode, from 0; an arm does not depend on it.
     stations : ndarray
         In feet.
     """

@@ -36,7 +36,7 @@ def with_shapes(
     ----------
     eqs : PerturbationEquations
     deflections, slopes : mapping of station (ft) to the values of both modes, optional
-        phi_1, phi_2 and sigma_1, sigma_2 (1/ft): so they can be factors in their own right.
+        phi_1, phi_2 and sigma_1, sigma_2 (1/ft) there.
     """
     given = (deflections or {}, slopes or {})
     modes: Any = tuple(

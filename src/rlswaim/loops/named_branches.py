@@ -1,4 +1,4 @@
-"""Which pole is which: the open loop's poles named by their motion, and a locus's branches by their poles."""
+"""Names for poles and branches: a pole's name is its motion's, a branch's that of the pole it starts from."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -16,11 +16,12 @@ from rlswaim.vehicle.equations import STATES, PerturbationEquations
 
 
 def named_poles(eqs: PerturbationEquations) -> list[tuple[complex, str]]:
-    """Return the vehicle's poles (1/s), each with the name of the uncoupled motion that it grows out of.
+    """Return the vehicle's poles (1/s), each with the name of the uncoupled motion that becomes it.
 
     The coupling between rigid body, mode 1 and mode 2 (the off-diagonal blocks
-    of Eq. 29) is raised from nothing to its size.  The attitude is left out on
-    the way: it is the integral of its rate, always a pole at the origin.
+    of Eq. 29) is raised in steps from zero to its full size, and the poles are
+    followed.  The attitude takes no part in it: as the integral of its rate it
+    always has its pole at the origin.
     """
     kept = [i for i, state in enumerate(STATES) if state != "theta"]
     A = eqs.state_space().A[np.ix_(kept, kept)]
@@ -74,7 +75,7 @@ def branch_parts(locus: RootLocus, starts: Mapping[str, ArrayLike]) -> dict[str,
 
 
 class NamedLocus(NamedTuple):
-    """A locus, which of its branches is which, and where they arrive at one gain (1/s)."""
+    """A locus, its branches (columns) by name, and the closed-loop poles (1/s) at one gain by name."""
 
     locus: RootLocus
     parts: dict[str, list[int]]

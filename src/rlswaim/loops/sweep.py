@@ -113,7 +113,7 @@ def evaluate(function: Function, axes: Mapping[str, NDArray], start: int, stop: 
     Raises
     ------
     ValueError
-        If the function returns something else than so many real numbers.
+        If the function does not return one real number for each point.
     """
     index = np.unravel_index(np.arange(start, stop), tuple(axis.size for axis in axes.values()))
     point = {key: axis[i] for (key, axis), i in zip(axes.items(), index, strict=True)}

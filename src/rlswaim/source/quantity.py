@@ -1,4 +1,4 @@
-"""A dataclass field that knows its symbol, unit, meaning and source."""
+"""Dataclass fields with a symbol, a unit, a meaning and a source for the notation page."""
 
 import dataclasses
 from typing import Any, NamedTuple
@@ -14,7 +14,7 @@ class Notation(NamedTuple):
 
 
 def quantity(symbol: str, unit: str, meaning: str, source: str, **options: Any) -> Any:
-    """Return a dataclass field that knows what it stands for.
+    """Return a dataclass field that carries its notation as metadata.
 
     Parameters
     ----------

@@ -238,7 +238,7 @@ def perturbation_equations(booster: Booster, gravity: bool = False) -> Perturbat
 
 
 def printed_coefficients() -> dict[str, str]:
-    """Return the coefficients of Eq. 29 as the report prints them, each where it has most figures."""
+    """Return the coefficients of Eq. 29 as the report prints them, each with the most figures that it has."""
     ids = {f"eq{number}-{name}": name for number in (38, 59) for name in COEFFICIENTS}
     rows = [row for section in ("III", "IV") for row in printed_rows(section) if row["id"] in ids]
     rows.sort(key=lambda row: half_unit(row["printed"]), reverse=True)

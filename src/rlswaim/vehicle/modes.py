@@ -152,9 +152,9 @@ class BendingMode:
         return replace(self, stations=stations, deflections=np.insert(self.deflections, at, value))
 
     def withheld_slopes(self, all_at_once: bool = False) -> NDArray:
-        """Return sigma (1/ft) at the printed slope stations when the shape has not been told of it there.
+        """Return sigma (1/ft) at each printed slope station, from a curve that does not use the slope there.
 
-        Each printed slope is left out in its turn, or, with ``all_at_once``, all of them.
+        The curve leaves out one printed slope at a time or, with ``all_at_once``, all of them.
         """
         phi = dict(zip(self.stations.tolist(), self.deflections.tolist(), strict=True))
         known = dict(zip(self.slope_stations.tolist(), (-self.slopes).tolist(), strict=True))
