@@ -39,7 +39,7 @@ test('roots of very different sizes, zeros at the origin exactly so', () => {
   const wanted = [0, 0, -1e-12, -1e-3, -1, -1e6, -1e12];
   const { x, y } = roots(expanded({ x: wanted, y: wanted.map(() => 0) }));
   const found = [...x].sort((a, b) => Math.abs(a) - Math.abs(b));
-  found.forEach((v, i) => assert.ok(Math.abs(v - wanted[i]) <= 1e-12 * Math.abs(wanted[i])));
+  assert.ok(found.every((v, i) => Math.abs(v - wanted[i]) <= 1e-12 * Math.abs(wanted[i])));
   assert.ok(y.every((v) => v === 0));
 });
 
@@ -78,9 +78,10 @@ test('the root at the origin is the nearest one', () => {
 
 test('ill-conditioned roots are mended where rounding moved them by more than 1e-11', () => {
   let c = [1];
-  for (let r = 1; r <= 15; r++) c = [...c, 0].map((v, k) => r * v + (c[k - 1] ?? 0)); // exact in double precision
+  // Exact in double precision.
+  for (let r = 1; r <= 15; r++) c = [...c, 0].map((v, k) => r * v + (c[k - 1] ?? 0));
   const found = sharpened(c, roots(c)).x.sort((a, b) => b - a);
-  found.forEach((v, i) => assert.ok(Math.abs(v + i + 1) < 1e-11 * (i + 1), `${v}`));
+  for (const [i, v] of found.entries()) assert.ok(Math.abs(v + i + 1) < 1e-11 * (i + 1), `${v}`);
   assert.equal(evaluatePrecisely([1 + EPS, -2, 1], 1, 0)[0], EPS);
 });
 
@@ -119,5 +120,5 @@ test('a match of more points than the room was made for', () => {
   const order = Array.from(a.x.keys()).sort((i, j) => ((i * 37) % 110) - ((j * 37) % 110));
   const b = { x: order.map((i) => a.x[i]), y: order.map((i) => a.y[i]) };
   const partner = matchRoots(a.x, a.y, b.x, b.y, new Int32Array(110));
-  partner.forEach((j, i) => assert.deepEqual([b.x[j], b.y[j]], [a.x[i], a.y[i]]));
+  for (const [i, j] of partner.entries()) assert.deepEqual([b.x[j], b.y[j]], [a.x[i], a.y[i]]);
 });

@@ -52,7 +52,7 @@ test('a triple pole is left on three branches', () => {
     [-3, 0],
     [0, Math.sqrt(3)],
   ];
-  found.forEach((point, i) => assert.ok(Math.hypot(point[0] - wanted[i][0], point[1] - wanted[i][1]) < 1e-9));
+  for (const [i, [x, y]] of found.entries()) assert.ok(Math.hypot(x - wanted[i][0], y - wanted[i][1]) < 1e-9);
 });
 
 test('101 branches of a long delay', () => {

@@ -10,11 +10,11 @@ const SWEEPS = 80;
 let moving = new Uint8Array(32);
 
 /**
- * Moves n distinct points to the n roots of c, all at once (Aberth's method). Unlike Newton's, two of them never fall
- * on one root, so branches stay apart at break-away points. A point rests once |p| is as small as rounding allows, or
- * after a step shorter than `close` times the distance to its neighbor: what is left is then smaller by close^2 again.
- * Where Aberth's correction has a pole a step would lead anywhere, and powers of it overflow: none is longer than four
- * times the size of the largest root.
+ * Moves n distinct points to the n roots of c, all at once (Aberth's method). Unlike Newton's, two of them
+ * never fall on one root, so branches stay apart at break-away points. A point rests once |p| is as small as
+ * rounding allows, or after a step shorter than `close` times the distance to its neighbor: what is left is
+ * then smaller by close^2 again. Where Aberth's correction has a pole a step would lead anywhere, and powers
+ * of it overflow: none is longer than four times the size of the largest root.
  * @param {Coefficients} c
  * @param {number} n
  * @param {Numbers} x
@@ -90,7 +90,8 @@ function moved(c, n, x, y, i, close, longestSquare) {
 }
 
 /**
- * Points on circles whose radii the size of the coefficients tells (Bini): sound for roots of very different size.
+ * Points on circles whose radii the size of the coefficients tells (Bini): sound for roots of very different
+ * size.
  * @param {Coefficients} c of degree n, whose constant term is not 0
  * @param {number} n
  * @returns {[number[], number[]]} by rising size
@@ -157,7 +158,8 @@ export function roots(c) {
   return { x: [...origin, ...x.map((v) => v * unit)], y: [...origin, ...y.map((v) => v * unit)] };
 }
 
-// A polynomial whose terms could overflow at its roots, in a unit of s (a power of 2) in which they don't; others as they are.
+// A polynomial whose terms could overflow at its roots, in a unit of s (a power of 2) in which they don't;
+// others as they are.
 /** @param {Float64Array} c */
 function scaled(c) {
   const n = c.length - 1;

@@ -5,16 +5,19 @@ import { distance, EPS } from './polynomials.js';
 
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
 /** @typedef {import('./multiple_roots.js').Root} Root */
-/** @typedef {{ gain: number, x: number, y: number, count: number }} BreakAway count: how many branches meet at x + jy */
+/**
+ * count: how many branches meet at x + jy.
+ * @typedef {{ gain: number, x: number, y: number, count: number }} BreakAway
+ */
 /**
  * The sum of weight / (s - x - jy).
  * @typedef {{ x: Float64Array, y: Float64Array, weight: Float64Array }} Terms
  */
 
 /**
- * The break-aways of a loop: there d(ln k)/ds = Σ 1/(s - poles) - Σ 1/(s - zeros) = 0. A multiple open-loop pole is one too,
- * at the gain 0. Of a conjugate pair the upper one stands for both. One whose gain rounding of the data may change by more
- * than its size is left out.
+ * The break-aways of a loop: there d(ln k)/ds = Σ 1/(s - poles) - Σ 1/(s - zeros) = 0. A multiple open-loop
+ * pole is one too, at the gain 0. Of a conjugate pair the upper one stands for both. One whose gain rounding
+ * of the data may change by more than its size is left out.
  * @param {FactoredLoop} loop
  * @returns {BreakAway[]}
  */
@@ -77,7 +80,8 @@ function guesses(c, n, scale) {
   return startingPoints(inner, n).map((v) => v.map((part) => part * scale));
 }
 
-// Σ weight Π over the other terms of (s - x - jy): a real polynomial of s / scale, which is the geometric mean of the sizes.
+// Σ weight Π over the other terms of (s - x - jy): a real polynomial of s / scale, which is the geometric
+// mean of the sizes.
 /** @param {Terms} terms */
 function numerator(terms) {
   const sizes = terms.x.map((x, i) => Math.hypot(x, terms.y[i])).filter((size) => size > 0);

@@ -1,4 +1,5 @@
-// Where branches of a root locus cross the boundary of stability: the imaginary axis or, in discrete time, the unit circle.
+// Where branches of a root locus cross the boundary of stability: the imaginary axis or, in discrete time,
+// the unit circle.
 import { gainAtPoint, logarithmicSlope } from './factored_loop.js';
 import { EPS } from './polynomials.js';
 import { realPhases } from './real_phases.js';
@@ -6,12 +7,14 @@ import { realPhases } from './real_phases.js';
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
 /** @typedef {import('./multiple_roots.js').Root} Root */
 /**
- * A crossing at s = j omega (or z = e^(j omega)) with omega >= 0; direction +1 as k rises: the root gets unstable.
+ * A crossing at s = j omega (or z = e^(j omega)) with omega >= 0; direction +1 as k rises: the root gets
+ * unstable.
  * @typedef {{ gain: number, omega: number, direction: number }} Crossing
  */
 /**
- * A boundary as the image of the imaginary axis: toPlane maps a root to the plane in which it is the axis, onto the point
- * of the boundary that is nearest to one, at the point of an omega, from w = j tangent the omega.
+ * A boundary as the image of the imaginary axis: toPlane maps a root to the plane in which it is the axis,
+ * onto the point of the boundary that is nearest to one, at the point of an omega, from w = j tangent the
+ * omega.
  * @typedef {{ toPlane: (root: Root) => Root, onto: (x: number, y: number) => [number, number],
  *   at: (omega: number) => [number, number], omega: (tangent: number) => number, excess: boolean }} Boundary
  */
@@ -42,9 +45,9 @@ export const UNIT_CIRCLE = {
 };
 
 /**
- * The crossings of a loop, by rising omega: there N/D is real and changes its sign's side. A root that is on the boundary
- * at k = 0, or rests there, does not cross it. A crossing that rounding of the data may move by more than the size of its
- * gain is left out.
+ * The crossings of a loop, by rising omega: there N/D is real and changes its sign's side. A root that is on
+ * the boundary at k = 0, or rests there, does not cross it. A crossing that rounding of the data may move by
+ * more than the size of its gain is left out.
  * @param {FactoredLoop} loop
  * @param {Boundary} boundary
  * @returns {Crossing[]}
@@ -90,7 +93,8 @@ function withGain(loop, boundary, omega) {
   if (stands('poles') || stands('zeros')) return [];
   const [gain] = gainAtPoint(loop, x, y);
   const [re, im] = logarithmicSlope(loop, x, y);
-  // ds/dk = 1/(k slope), seen along the normal of the boundary: 1 for the axis, the point itself for the circle.
+  // ds/dk = 1/(k slope), seen along the normal of the boundary: 1 for the axis, the point itself for the
+  // circle.
   const [nx, ny] = boundary.excess ? [x, y] : [1, 0];
   const across = re * nx - im * ny;
   const along = Math.abs(re * ny + im * nx);

@@ -35,7 +35,8 @@ export function distinctRoots(c, sizes) {
   return found;
 }
 
-// For each root the number of its conjugate, its own if it is real. A root that has lost its conjugate counts as real.
+// For each root the number of its conjugate, its own if it is real. A root that has lost its conjugate counts
+// as real.
 /**
  * @param {number[]} x
  * @param {number[]} y

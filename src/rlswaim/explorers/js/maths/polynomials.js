@@ -1,7 +1,7 @@
 // Real polynomials. Coefficients run from the constant term up; complex values are pairs [re, im].
 
 /** @typedef {ArrayLike<number>} Coefficients constant term first */
-/** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Points real and imaginary parts, one entry a point */
+/** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Points real and imaginary parts */
 /** @typedef {[number, number]} Complex */
 
 /** The distance from 1 to the next larger number. */
@@ -32,7 +32,8 @@ export function evaluate(c, x, y) {
 }
 
 /**
- * The sum of the sizes of a polynomial's terms at a distance from the origin: rounding is in proportion to it.
+ * The sum of the sizes of a polynomial's terms at a distance from the origin: rounding is in proportion to
+ * it.
  * @param {Coefficients} c
  * @param {number} size
  */

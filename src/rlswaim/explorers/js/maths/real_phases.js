@@ -1,11 +1,13 @@
-// Where N/D is real on the imaginary axis. The phase of each factor (s - root) runs one way along the axis, so that the
-// phase of N/D is bounded over any interval: intervals are halved until one holds no place or just one.
+// Where N/D is real on the imaginary axis. The phase of each factor (s - root) runs one way along the axis,
+// so that the phase of N/D is bounded over any interval: intervals are halved until one holds no place or
+// just one.
 import { EPS } from './polynomials.js';
 
 /** @typedef {import('./multiple_roots.js').Root} Root */
 /** @typedef {{ x: number, y: number, weight: number }} Term */
 /**
- * An end of an interval; the angles of its terms start at slot in the room of the phase; edge: a place itself does not count.
+ * An end of an interval; the angles of its terms start at slot in the room of the phase; edge: a place itself
+ * does not count.
  * @typedef {{ at: number, slot: number, phase: number, edge: boolean }} End
  */
 /**
@@ -18,8 +20,9 @@ const DEEPEST = 60;
 const MOST = 2000; // halvings, beyond which an interval is judged by its ends
 
 /**
- * All omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) passes through a multiple of 180 degrees; both
- * are real or in conjugate pairs. Where a pole or zero stands on the axis itself, at 0 and at infinity none is told.
+ * All omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) passes through a multiple of
+ * 180 degrees; both are real or in conjugate pairs. Where a pole or zero stands on the axis itself, at 0 and
+ * at infinity none is told.
  * @param {Root[]} poles
  * @param {Root[]} zeros
  * @returns {number[]}
@@ -144,7 +147,8 @@ function search(phase, a, b, depth, budget, found) {
   search(phase, m, b, depth + 1, budget, found);
 }
 
-// How many half turns the phase is past. At an edge that stands on one it is taken a little inside the interval.
+// How many half turns the phase is past. At an edge that stands on one it is taken a little inside the
+// interval.
 /**
  * @param {Phase} phase
  * @param {End} end

@@ -4,8 +4,8 @@ import { startingPoints } from './aberth.js';
 /** @typedef {import('./trace_points.js').Numbers} Numbers */
 
 /**
- * Where three or more roots of the point before coincide, puts their guesses on the circle about that place whose radius
- * the polynomial's coefficients there tell: equal guesses would stay equal.
+ * Where three or more roots of the point before coincide, puts their guesses on the circle about that place
+ * whose radius the polynomial's coefficients there tell: equal guesses would stay equal.
  * @param {Float64Array} c
  * @param {{ x: Numbers, y: Numbers, gap: Numbers }} before
  * @param {Numbers} x
