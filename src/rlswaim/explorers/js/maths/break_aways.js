@@ -11,7 +11,7 @@ import { distance, EPS } from './polynomials.js';
  */
 /**
  * The sum of weight / (s - x - jy).
- * @typedef {{ x: Float64Array, y: Float64Array, weight: Float64Array }} Terms
+ * @typedef {{ x: number[], y: number[], weight: number[] }} Terms
  */
 
 /**
@@ -28,9 +28,9 @@ export function breakAways(loop) {
   const start = multiple.map(({ x, y, count }) => ({ gain: 0, x, y, count }));
   const roots = [...poles, ...zeros];
   const terms = {
-    x: Float64Array.from(roots, ({ x }) => x),
-    y: Float64Array.from(roots, ({ y }) => y),
-    weight: Float64Array.from(roots, ({ count }, i) => (i < poles.length ? count : -count)),
+    x: roots.map(({ x }) => x),
+    y: roots.map(({ y }) => y),
+    weight: roots.map(({ count }, i) => (i < poles.length ? count : -count)),
   };
   const met = gathered(terms, stationaryPoints(terms));
   return [...start, ...met.flatMap((point) => withGain(loop, point))];

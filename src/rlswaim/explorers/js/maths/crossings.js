@@ -1,7 +1,7 @@
 // Where branches of a root locus cross the boundary of stability: the imaginary axis or, in discrete time,
 // the unit circle.
 import { gainAtPoint, logarithmicSlope } from './factored_loop.js';
-import { EPS } from './polynomials.js';
+import { distance, EPS } from './polynomials.js';
 import { realPhases } from './real_phases.js';
 
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
@@ -55,11 +55,13 @@ export const UNIT_CIRCLE = {
 export function crossings(loop, boundary = IMAGINARY_AXIS) {
   if (!Number.isFinite(loop.gain) || loop.gain === 0) return [];
   const mapped = (/** @type {'poles' | 'zeros'} */ of) =>
-    loop[of].flatMap((root) => {
-      const on = isAt(loop, of, root, ...boundary.onto(root.x, root.y));
-      const w = boundary.toPlane(root);
-      return Number.isFinite(w.x + w.y) ? [on ? { ...w, x: 0 } : w] : [];
-    });
+    loop[of]
+      .map((root) => {
+        const { x, y, count } = boundary.toPlane(root);
+        const [nearX, nearY] = boundary.onto(root.x, root.y);
+        return { x: isAt(loop, of, root, nearX, nearY) ? 0 : x, y, count };
+      })
+      .filter(({ x, y }) => Number.isFinite(x + y));
   const [poles, zeros] = [mapped('poles'), mapped('zeros')];
   const size = (/** @type {Root[]} */ roots) => roots.reduce((sum, { count }) => sum + count, 0);
   // A zero at infinity is one at w = 1.
@@ -79,7 +81,7 @@ export function crossings(loop, boundary = IMAGINARY_AXIS) {
  * @param {number} y
  */
 const isAt = (loop, of, root, x, y) =>
-  Math.hypot(root.x - x, root.y - y) <= 1e-3 * Math.hypot(x, y) && loop.isRoot(of, x, y);
+  distance(root.x - x, root.y - y) <= 1e-3 * distance(x, y) && loop.isRoot(of, x, y);
 
 /**
  * @param {FactoredLoop} loop
@@ -99,7 +101,7 @@ function withGain(loop, boundary, omega) {
   const across = re * nx - im * ny;
   const along = Math.abs(re * ny + im * nx);
   const size = [...loop.poles, ...loop.zeros].reduce(
-    (sum, root) => sum + root.count / Math.hypot(x - root.x, y - root.y),
+    (sum, root) => sum + root.count / distance(x - root.x, y - root.y),
     0,
   );
   if (!Number.isFinite(gain) || gain === 0 || !(Math.abs(across) > 4 * EPS * size)) return [];

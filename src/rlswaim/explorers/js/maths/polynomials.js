@@ -73,5 +73,7 @@ export const combine = (a, b, factor) =>
 export function trimmed(c) {
   let length = c.length;
   while (length > 0 && c[length - 1] === 0) length--;
-  return Float64Array.from({ length }, (_, k) => c[k]);
+  const found = new Float64Array(length);
+  for (let k = 0; k < length; k++) found[k] = c[k];
+  return found;
 }

@@ -12,12 +12,16 @@ import { EPS } from './polynomials.js';
  */
 /**
  * The phase base - Σ weight atan((omega - y)/x) of the terms.
- * @typedef {{ x: Float64Array, y: Float64Array, weight: Float64Array, base: number, tolerance: number,
+ * @typedef {{ x: number[], y: number[], weight: number[], base: number, tolerance: number,
  *   room: Float64Array }} Phase
  */
 
 const DEEPEST = 60;
 const MOST = 2000; // halvings, beyond which an interval is judged by its ends
+const PLACES = DEEPEST + 4; // two ends, one more at each depth, and one to try
+
+// The angles of all terms at each place; made once, and larger when more terms come.
+let room = new Float64Array(PLACES * 32);
 
 /**
  * All omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) passes through a multiple of
@@ -39,7 +43,10 @@ export function realPhases(poles, zeros) {
   const order = all.reduce((sum, { weight }) => sum + weight, 0);
   const inverse = all
     .filter(({ x, y }) => x !== 0 || y !== 0)
-    .map(({ x, y, weight }) => ({ x: x / (x * x + y * y), y: -y / (x * x + y * y), weight }));
+    .map(({ x, y, weight }) => {
+      const square = x * x + y * y;
+      return { x: x / square, y: -y / square, weight };
+    });
   return [
     ...placesUpTo(all, top),
     ...placesUpTo([...inverse, { x: 0, y: 0, weight: -order }], 1 / top).map((v) => 1 / v),
@@ -54,11 +61,12 @@ function placesUpTo(all, top) {
   const terms = unmirrored(all.filter(({ x }) => x !== 0));
   if (terms.length === 0) return [];
   const onAxis = all.filter(({ x }) => x === 0);
+  if (room.length < PLACES * terms.length) room = new Float64Array(2 * PLACES * terms.length);
   const phase = {
-    x: Float64Array.from(terms, ({ x }) => x),
-    y: Float64Array.from(terms, ({ y }) => y),
-    weight: Float64Array.from(terms, ({ weight }) => weight),
-    room: new Float64Array((DEEPEST + 4) * terms.length), // two ends, one more at each depth, and one to try
+    x: terms.map(({ x }) => x),
+    y: terms.map(({ y }) => y),
+    weight: terms.map(({ weight }) => weight),
+    room,
     base: (onAxis.reduce((sum, { weight }) => sum + weight, 0) % 2) * (Math.PI / 2),
     tolerance: 4 * EPS * (4 + terms.reduce((sum, { weight }) => sum + Math.abs(weight), 0)),
   };
@@ -82,7 +90,8 @@ function placesUpTo(all, top) {
  * @returns {Term[]}
  */
 function unmirrored(terms) {
-  const left = terms.map((term) => ({ ...term }));
+  if (terms.every(({ x }) => x < 0)) return terms;
+  const left = terms.map(({ x, y, weight }) => ({ x, y, weight }));
   for (const a of left) {
     for (const b of left) {
       if (a.x * b.x >= 0 || a.weight * b.weight <= 0) continue;

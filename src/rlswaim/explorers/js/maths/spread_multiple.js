@@ -13,6 +13,7 @@ import { startingPoints } from './aberth.js';
  */
 export function spreadMultiple(c, before, x, y) {
   const left = new Set(Array.from(before.gap.keys()).filter((i) => before.gap[i] === Infinity));
+  if (left.size < 3) return;
   for (const i of left) {
     const members = [...left].filter(
       (j) =>
