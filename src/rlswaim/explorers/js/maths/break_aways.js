@@ -1,7 +1,7 @@
 // Where branches of a root locus meet: multiple roots of D + k N for a real gain k.
 import { flatten, startingPoints } from './aberth.js';
 import { gainAtPoint } from './factored_loop.js';
-import { distance, EPS } from './polynomials.js';
+import { distance, EPS, meanOf } from './polynomials.js';
 
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
 /** @typedef {import('./multiple_roots.js').Root} Root */
@@ -43,9 +43,10 @@ export function breakAways(loop) {
  */
 function withGain(loop, { x, y, count }) {
   if (y < 0) return [];
-  const doubt = loop.doubt(x, y);
   const [gain, rest] = gainAtPoint(loop, x, y);
-  const isReal = Math.abs(rest) <= Math.min(1e-3, Math.max(1e-9, 16 * doubt)) * Math.abs(gain);
+  if (!(Math.abs(rest) <= 1e-3 * Math.abs(gain))) return [];
+  const doubt = loop.doubt(x, y);
+  const isReal = Math.abs(rest) <= Math.max(1e-9, 16 * doubt) * Math.abs(gain);
   return isReal && doubt < 1 && Number.isFinite(gain) ? [{ gain, x, y, count: count + 1 }] : [];
 }
 
@@ -165,12 +166,13 @@ function gathered(terms, { x, y }) {
     const near = [i];
     const farthest = 1e-4 * distance(x[i], y[i]);
     for (const j of left) if (j !== i && distance(x[j] - x[i], y[j] - y[i]) <= farthest) near.push(j);
-    const [mx, my] = [x, y].map((v) => near.reduce((sum, j) => sum + v[j], 0) / near.length);
+    left.delete(i);
+    const [mx, my] = near.length === 1 ? [x[i], y[i]] : [x, y].map((v) => meanOf(v, near));
     const up = near.some((j) => y[j] * my <= 0) ? 0 : my;
-    const isOne = near.length > 1 && isStationary(terms, mx, up);
-    for (const j of isOne ? near : [i]) left.delete(j);
-    if (isOne) found.push({ x: mx, y: up, count: near.length });
-    else found.push({ x: x[i], y: y[i], count: 1 });
+    if (near.length > 1 && isStationary(terms, mx, up)) {
+      for (const j of near) left.delete(j);
+      found.push({ x: mx, y: up, count: near.length });
+    } else found.push({ x: x[i], y: y[i], count: 1 });
   }
   return found;
 }

@@ -57,8 +57,8 @@ function fromPolynomials({ D, N, sizes }) {
   const resting = leadingZeros(D, N); // roots at the origin at every gain
   const [d, n] = [trimmed(D).subarray(resting), trimmed(N).subarray(resting)];
   const data = {
-    poles: { c: d, sizes: sizes ? sizes.D.slice(resting) : d },
-    zeros: { c: n, sizes: sizes ? sizes.N.slice(resting) : n },
+    poles: { c: d, sizes: sizes ? sizes.D.subarray(resting) : d },
+    zeros: { c: n, sizes: sizes ? sizes.N.subarray(resting) : n },
   };
   const parts = { poles: distinctRoots(d, data.poles.sizes), zeros: distinctRoots(n, data.zeros.sizes) };
   /** @type {FactoredLoop['isRoot']} */

@@ -18,6 +18,13 @@ export const ROUNDING = 4 * EPS;
 export const distance = (x, y) => Math.sqrt(x * x + y * y);
 
 /**
+ * The mean of the values at some places.
+ * @param {ArrayLike<number>} values
+ * @param {number[]} places
+ */
+export const meanOf = (values, places) => places.reduce((sum, i) => sum + values[i], 0) / places.length;
+
+/**
  * The value of a polynomial at x + jy.
  * @param {Coefficients} c
  * @param {number} x

@@ -77,10 +77,12 @@ function placesUpTo(all, top) {
   /** @type {number[]} */
   const found = [];
   const budget = { left: MOST };
-  const end = (/** @type {number} */ place, /** @type {number} */ at) =>
-    endAt(phase, place, at, edges.includes(at));
-  for (let k = 1; k < places.length; k++)
-    search(phase, end(0, places[k - 1]), end(1, places[k]), 0, budget, found);
+  let last = endAt(phase, 0, places[0], true);
+  for (let k = 1; k < places.length; k++) {
+    const next = endAt(phase, k % 2, places[k], edges.includes(places[k]));
+    search(phase, last, next, 0, budget, found);
+    last = next;
+  }
   return found;
 }
 

@@ -1,7 +1,7 @@
 // Responses in time from partial fractions of the numerators that Python sends: nothing here knows any
 // physics.
 import { closedLoopPoles } from './closed_loop.js';
-import { EPS, evaluate } from './polynomials.js';
+import { EPS, evaluate, meanOf } from './polynomials.js';
 import { factorsOf, polynomial } from './terms.js';
 
 /** @typedef {import('./terms.js').System} System */
@@ -47,7 +47,7 @@ function setApart({ x, y }, scale) {
     for (const j of close) free.delete(j);
     const m = close.length;
     if (m === 1) continue;
-    const [cx, my] = [x, y].map((v) => close.reduce((total, j) => total + v[j], 0) / m);
+    const [cx, my] = [x, y].map((v) => meanOf(v, close));
     const cy = Math.abs(my) < radius(2, size) ? 0 : my;
     close.forEach((j, k) => {
       const angle = (2 * Math.PI * k) / m;
