@@ -8,6 +8,7 @@ const { roots } = await maths('aberth');
 const { breakAways } = await maths('break_aways');
 const { factored } = await maths('factored_loop');
 const { gainCurve, gainNodes } = await maths('gain_curve');
+const { BLIND } = await maths('line_quality');
 const { rootLocus } = await maths('locus');
 const { margins } = await maths('margins');
 const { responses } = await maths('responses');
@@ -39,6 +40,28 @@ test('branches hold all roots at each gain', () => {
         assert.ok(off[nearest] < 1e-4 * Math.max(1, Math.hypot(x[j], y[j])), `${off[nearest]}`);
         used.add(nearest);
       }
+    }
+  }
+});
+
+test('coarse gains: each branch ends where it ends when traced in small steps', () => {
+  const random = seeded(8);
+  for (let i = 0; i < 20; i++) {
+    const loop = { poles: randomPoints(random, 8), zeros: randomPoints(random, 4), gain: 1 };
+    const { D, N } = polynomials(loop);
+    const meetings = breakAways(factored(loop)).filter(({ gain }) => gain > 0 && gain < 50);
+    const curve = gainCurve({ D, N }, 1, meetings);
+    const steps = (first) =>
+      gainNodes(
+        [first, 50],
+        meetings.map(({ gain }) => gain),
+      );
+    // One step over all gains but for the break-aways, and about eighty of them.
+    const coarse = trace(curve, steps(49), loop.poles, BLIND).at(-1);
+    const fine = trace(curve, steps(1e-24), loop.poles, BLIND).at(-1);
+    for (let j = 0; j < 8; j++) {
+      const off = Math.hypot(coarse.x[j] - fine.x[j], coarse.y[j] - fine.y[j]);
+      assert.ok(off < 1e-6 * Math.hypot(fine.x[j], fine.y[j]), JSON.stringify({ loop, j, off }));
     }
   }
 });
