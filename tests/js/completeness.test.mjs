@@ -1,4 +1,5 @@
-// The lists of break-aways and crossings of random loops, against the roots of D + k N at many gains: both ways.
+// The lists of break-aways and crossings of random loops, against the roots of D + k N at many gains: both
+// ways.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { maths } from './maths.mjs';
@@ -25,7 +26,8 @@ function randomLoop(random, most, radius, middle) {
   };
 }
 
-// Rising gains that avoid the listed ones and their neighborhoods, where counts by rounded roots are not sure.
+// Rising gains that avoid the listed ones and their neighborhoods, where counts by rounded roots are not
+// sure.
 function gainsAbout(listed) {
   const grid = [];
   for (let e = -6; e <= 6; e += 0.02) grid.push(10 ** e, -(10 ** e));

@@ -39,13 +39,70 @@ test('roots of very different sizes, zeros at the origin exactly so', () => {
   const wanted = [0, 0, -1e-12, -1e-3, -1, -1e6, -1e12];
   const { x, y } = roots(expanded({ x: wanted, y: wanted.map(() => 0) }));
   const found = [...x].sort((a, b) => Math.abs(a) - Math.abs(b));
-  found.forEach((v, i) => assert.ok(Math.abs(v - wanted[i]) <= 1e-12 * Math.abs(wanted[i])));
+  assert.ok(found.every((v, i) => Math.abs(v - wanted[i]) <= 1e-12 * Math.abs(wanted[i])));
   assert.ok(y.every((v) => v === 0));
 });
 
 test('a polynomial whose values overflow', () => {
   const { x } = roots([1e300, 0, 0, 0, -1]);
   assert.ok(x.some((v) => Math.abs(v / 1e75 - 1) < 1e-12));
+});
+
+test('coefficients that span the whole double range', () => {
+  const j = (x, y) => [x, y];
+  for (const [c, wanted] of [
+    [
+      [1e-300, 1, 1e300],
+      [j(-0.5e-300, Math.sqrt(0.75) * 1e-300), j(-0.5e-300, -Math.sqrt(0.75) * 1e-300)],
+    ],
+    [
+      [1, 1e150, 1e150, 1],
+      [j(-1e-150, 0), j(-1, 0), j(-1e150, 0)],
+    ],
+    [
+      [4, -4e140, 2e280, -2e140, 1],
+      [j(1e-140, 1e-140), j(1e-140, -1e-140), j(1e140, 1e140), j(1e140, -1e140)],
+    ],
+    [
+      [5e-324, 1, 1e308],
+      [j(-5e-324, 0), j(-1e-308, 0)],
+    ],
+    [
+      [-3e-31, 1.5e49, 0, -2e44, -2e-16],
+      [j(2e-80, 0), j(274, 0), j(-274, 0), j(-1e60, 0)],
+    ],
+    // No number holds these roots, about -1e-600 and -1e600.
+    [
+      [1e-300, 1e300, 1e-300],
+      [j(0, 0), j(-Infinity, 0)],
+    ],
+  ]) {
+    const { x, y } = roots(c);
+    assert.equal(x.length, wanted.length);
+    for (const [re, im] of wanted) {
+      const isNear = (v, i) =>
+        (v === re && y[i] === im) || Math.hypot(v - re, y[i] - im) < 1e-3 * Math.hypot(re, im);
+      assert.ok(x.some(isNear), `${c}: got ${x} and ${y}, wanted ${re}, ${im}`);
+    }
+  }
+});
+
+test('random coefficients of any size: the roots multiply and add up to what the coefficients say', () => {
+  const random = seeded(5);
+  const sum = (values) => values.reduce((total, v) => total + v, 0);
+  for (let i = 0; i < 300; i++) {
+    const c = Array.from(
+      { length: 3 + 7 * random() },
+      () => (random() < 0.5 ? -1 : 1) * 10 ** (-307 + 614 * random()),
+    );
+    const { x, y } = roots(c);
+    assert.equal(x.length, c.length - 1);
+    const sizes = x.map((v, k) => Math.hypot(v, y[k]));
+    if (sizes.some((v) => v < 1e-290 || v === Infinity)) continue;
+    const product = sum(sizes.map(Math.log));
+    assert.ok(Math.abs(product - Math.log(Math.abs(c[0])) + Math.log(Math.abs(c.at(-1)))) < 1e-9, `${c}`);
+    assert.ok(Math.abs(sum(y)) <= 1e-9 * Math.max(...sizes), `${c}`);
+  }
 });
 
 test('what is no number ends in bounded time', () => {
@@ -78,9 +135,10 @@ test('the root at the origin is the nearest one', () => {
 
 test('ill-conditioned roots are mended where rounding moved them by more than 1e-11', () => {
   let c = [1];
-  for (let r = 1; r <= 15; r++) c = [...c, 0].map((v, k) => r * v + (c[k - 1] ?? 0)); // exact in double precision
+  // Exact in double precision.
+  for (let r = 1; r <= 15; r++) c = [...c, 0].map((v, k) => r * v + (c[k - 1] ?? 0));
   const found = sharpened(c, roots(c)).x.sort((a, b) => b - a);
-  found.forEach((v, i) => assert.ok(Math.abs(v + i + 1) < 1e-11 * (i + 1), `${v}`));
+  for (const [i, v] of found.entries()) assert.ok(Math.abs(v + i + 1) < 1e-11 * (i + 1), `${v}`);
   assert.equal(evaluatePrecisely([1 + EPS, -2, 1], 1, 0)[0], EPS);
 });
 
@@ -119,5 +177,5 @@ test('a match of more points than the room was made for', () => {
   const order = Array.from(a.x.keys()).sort((i, j) => ((i * 37) % 110) - ((j * 37) % 110));
   const b = { x: order.map((i) => a.x[i]), y: order.map((i) => a.y[i]) };
   const partner = matchRoots(a.x, a.y, b.x, b.y, new Int32Array(110));
-  partner.forEach((j, i) => assert.deepEqual([b.x[j], b.y[j]], [a.x[i], a.y[i]]));
+  for (const [i, j] of partner.entries()) assert.deepEqual([b.x[j], b.y[j]], [a.x[i], a.y[i]]);
 });

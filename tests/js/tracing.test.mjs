@@ -8,6 +8,7 @@ const { roots } = await maths('aberth');
 const { breakAways } = await maths('break_aways');
 const { factored } = await maths('factored_loop');
 const { gainCurve, gainNodes } = await maths('gain_curve');
+const { BLIND } = await maths('line_quality');
 const { rootLocus } = await maths('locus');
 const { margins } = await maths('margins');
 const { responses } = await maths('responses');
@@ -43,6 +44,28 @@ test('branches hold all roots at each gain', () => {
   }
 });
 
+test('coarse gains: each branch ends where it ends when traced in small steps', () => {
+  const random = seeded(8);
+  for (let i = 0; i < 20; i++) {
+    const loop = { poles: randomPoints(random, 8), zeros: randomPoints(random, 4), gain: 1 };
+    const { D, N } = polynomials(loop);
+    const meetings = breakAways(factored(loop)).filter(({ gain }) => gain > 0 && gain < 50);
+    const curve = gainCurve({ D, N }, 1, meetings);
+    const steps = (first) =>
+      gainNodes(
+        [first, 50],
+        meetings.map(({ gain }) => gain),
+      );
+    // One step over all gains but for the break-aways, and about eighty of them.
+    const coarse = trace(curve, steps(49), loop.poles, BLIND).at(-1);
+    const fine = trace(curve, steps(1e-24), loop.poles, BLIND).at(-1);
+    for (let j = 0; j < 8; j++) {
+      const off = Math.hypot(coarse.x[j] - fine.x[j], coarse.y[j] - fine.y[j]);
+      assert.ok(off < 1e-6 * Math.hypot(fine.x[j], fine.y[j]), JSON.stringify({ loop, j, off }));
+    }
+  }
+});
+
 test('a triple pole is left on three branches', () => {
   const loop = { poles: { x: [-1, -1, -1], y: [0, 0, 0] }, zeros: { x: [], y: [] }, gain: 1 };
   const last = traced(loop, [1e-3, 8], VIEW).points.at(-1);
@@ -52,7 +75,7 @@ test('a triple pole is left on three branches', () => {
     [-3, 0],
     [0, Math.sqrt(3)],
   ];
-  found.forEach((point, i) => assert.ok(Math.hypot(point[0] - wanted[i][0], point[1] - wanted[i][1]) < 1e-9));
+  for (const [i, [x, y]] of found.entries()) assert.ok(Math.hypot(x - wanted[i][0], y - wanted[i][1]) < 1e-9);
 });
 
 test('101 branches of a long delay', () => {

@@ -155,7 +155,7 @@ export interface Payload {
   [name: string]: any;
 }
 /** What Python sends of a control system. */
-export type System = Payload;
+export type System = Payload & import('./maths/terms.js').System;
 
 /** Does work step by step. */
 export type Steps<Part, Result> = Generator<Part, Result>;

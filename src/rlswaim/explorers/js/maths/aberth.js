@@ -1,5 +1,5 @@
 // All roots of a polynomial at once, by Aberth's iteration.
-import { distance, EPS } from './polynomials.js';
+import { distance, EPS, termsAt } from './polynomials.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
 /** @typedef {Float64Array | number[]} Numbers */
@@ -10,11 +10,11 @@ const SWEEPS = 80;
 let moving = new Uint8Array(32);
 
 /**
- * Moves n distinct points to the n roots of c, all at once (Aberth's method). Unlike Newton's, two of them never fall
- * on one root, so branches stay apart at break-away points. A point rests once |p| is as small as rounding allows, or
- * after a step shorter than `close` times the distance to its neighbor: what is left is then smaller by close^2 again.
- * Where Aberth's correction has a pole a step would lead anywhere, and powers of it overflow: none is longer than four
- * times the size of the largest root.
+ * Moves n distinct points to the n roots of c, all at once (Aberth's method). Unlike Newton's, two of them
+ * never fall on one root, so branches stay apart at break-away points. A point rests once |p| is as small as
+ * rounding allows, or after a step shorter than `close` times the distance to its neighbor: what is left is
+ * then smaller by close^2 again. Where Aberth's correction has a pole a step would lead anywhere, and powers
+ * of it overflow: none is longer than four times the size of the largest root.
  * @param {Coefficients} c
  * @param {number} n
  * @param {Numbers} x
@@ -90,7 +90,8 @@ function moved(c, n, x, y, i, close, longestSquare) {
 }
 
 /**
- * Points on circles whose radii the size of the coefficients tells (Bini): sound for roots of very different size.
+ * Points on circles whose radii the size of the coefficients tells (Bini): sound for roots of very different
+ * size.
  * @param {Coefficients} c of degree n, whose constant term is not 0
  * @param {number} n
  * @returns {[number[], number[]]} by rising size
@@ -139,37 +140,93 @@ function upperHull(c, n) {
 }
 
 /**
- * All roots of a polynomial. Zeros at the origin come out exactly, and real roots exactly real.
+ * All roots of a polynomial. Zeros at the origin come out exactly, and real roots exactly real. A root that
+ * no number of double precision holds comes out as an infinite one, or as 0.
  * @param {Coefficients} c
  * @returns {{ x: number[], y: number[] }}
  */
-export function roots(c) {
+export const roots = (c) =>
+  rootsBy((inner) => {
+    const start = startingPoints(inner, inner.length - 1);
+    return isWide(inner, start) ? rootsByScale(inner) : refined(inner, start);
+  }, c);
+
+/**
+ * The roots at the origin, and those that a method finds of a polynomial without such.
+ * @param {(inner: Float64Array) => { x: number[], y: number[] }} method
+ * @param {Coefficients} c
+ */
+function rootsBy(method, c) {
   let n = Math.max(0, c.length - 1);
   while (n > 0 && c[n] === 0) n--;
   let m = 0;
   while (m < n && c[m] === 0) m++;
-  const { inner, unit } = scaled(Float64Array.from({ length: n - m + 1 }, (_, k) => c[m + k]));
-  const [x, y] = startingPoints(inner, n - m);
-  aberth(inner, n - m, x, y);
-  aberth(inner, n - m, x, y, 1e-3); // a point that rested early did so beside points that still moved
-  flatten(x, y);
+  const inner = new Float64Array(n - m + 1);
+  for (let k = m; k <= n; k++) inner[k - m] = c[k];
+  const { x, y } = method(inner);
   const origin = new Array(m).fill(0);
-  return { x: [...origin, ...x.map((v) => v * unit)], y: [...origin, ...y.map((v) => v * unit)] };
+  return { x: origin.concat(x), y: origin.concat(y) };
 }
 
-// A polynomial whose terms could overflow at its roots, in a unit of s (a power of 2) in which they don't; others as they are.
-/** @param {Float64Array} c */
-function scaled(c) {
+/**
+ * @param {Float64Array} c
+ * @param {[number[], number[]]} start
+ */
+function refined(c, [x, y]) {
   const n = c.length - 1;
-  const logs = c.map((v) => Math.log2(Math.abs(v))).filter(Number.isFinite);
-  const most = Math.max(...logs);
-  const spread = most - Math.min(...logs);
-  if (n < 1 || (spread < 300 && Math.abs(most) < 300)) return { inner: c, unit: 1 };
-  const unit = Math.round((Math.log2(Math.abs(c[0])) - Math.log2(Math.abs(c[n]))) / n) || 0;
-  const powers = Array.from(c, (v, k) => (v === 0 ? -Infinity : Math.log2(Math.abs(v)) + k * unit));
-  const shift = -Math.round(Math.max(...powers)) || 0;
-  const inner = c.map((v, k) => timesPower(v, k * unit + shift));
-  return { inner, unit: 2 ** unit };
+  aberth(c, n, x, y);
+  aberth(c, n, x, y, 1e-3); // a point that rested early did so beside points that still moved
+  flatten(x, y);
+  return { x, y };
+}
+
+const LARGE = 2 ** 300; // products of three numbers up to it, and of their inverses, are numbers
+
+/**
+ * Whether the terms of a polynomial without roots at the origin could overflow at its roots.
+ * @param {Float64Array} c
+ * @param {[number[], number[]]} start by rising size
+ */
+function isWide(c, [x, y]) {
+  const n = c.length - 1;
+  if (n < 1 || !c.every(Number.isFinite)) return false;
+  const largest = distance(x[n - 1], y[n - 1]);
+  const least = Math.min(Math.abs(c[0]), distance(x[0], y[0]));
+  return !(largest < LARGE && termsAt(c, largest) < LARGE && least > 1 / LARGE);
+}
+
+const APART = 8; // binary digits between the sizes of roots that are found apart
+const LOST = -70; // binary digits below which a term counts for nothing
+
+// The roots in groups of like size, each in a unit of s (a power of 2) of its own. The kth smallest root
+// belongs to the stretch of the hull from k - 1 to k.
+/** @param {Float64Array} c */
+function rootsByScale(c) {
+  const hull = upperHull(c, c.length - 1);
+  const units = hull.slice(1).map((to, h) => -slope(c, hull[h], to) / Math.LN2);
+  const found = { x: /** @type {number[]} */ ([]), y: /** @type {number[]} */ ([]) };
+  let first = 0;
+  for (let h = 0; h < units.length; h++) {
+    if (units[h + 1] - units[h] <= APART) continue;
+    const [from, to] = [hull[first], hull[h + 1]];
+    const unit = Math.round(-slope(c, from, to) / Math.LN2);
+    const heightAt = (/** @type {number} */ k) => Math.log2(Math.abs(c[k])) + k * unit;
+    const most = Math.round(Math.max(...hull.slice(first, h + 2).map(heightAt)));
+    const counts = (/** @type {number} */ k) => {
+      const [at, along] = k < from ? [from, units[first]] : [to, units[h]];
+      const below = Math.log2(Math.abs(c[k])) - Math.log2(Math.abs(c[at])) + (k - at) * along;
+      return (k >= from && k <= to) || below > LOST;
+    };
+    const own = c.map((v, k) => (counts(k) ? timesPower(v, k * unit - most) : 0));
+    const { x, y } = rootsBy((inner) => refined(inner, startingPoints(inner, inner.length - 1)), own);
+    const bySize = Array.from(x.keys()).sort((i, j) => distance(x[i], y[i]) - distance(x[j], y[j]));
+    for (const i of bySize.slice(from, to)) {
+      found.x.push(timesPower(x[i], unit));
+      found.y.push(timesPower(y[i], unit));
+    }
+    first = h + 1;
+  }
+  return found;
 }
 
 // value 2^power, where the power alone may overflow.

@@ -1,59 +1,177 @@
-// The largest real part of the roots of Section VII's polynomial over sensor and jet stations, from the table of terms
-// that Python sends.
+// The largest real part of the roots of Section VII's polynomial over sensor and jet stations, from the table
+// of terms that Python sends.
 import { aberth, roots } from './aberth.js';
+import { addTerm, weightOf } from './terms.js';
+
+/** @typedef {import('./terms.js').Term} Term */
+/**
+ * Section VII at fixed gains: the polynomial that each pair of shapes multiplies, by AT_SENSOR and AT_JET,
+ * the shapes by name, and the pairs of stations of Table 3.
+ * @typedef {{ parts: Float64Array[][], values: Record<string, ArrayLike<number>>,
+ *   pairs: { sensor: number, jet: number }[] }} Plan
+ */
+/** @typedef {{ step: number, jet: number, values: Float64Array }} Row values along the sensor's stations */
+/**
+ * step: ft; line: the pieces of the line of zero, x, y, x, y of each; stable, neutral: numbers of pairs.
+ * @typedef {{ step: number, line: Float32Array, stable: number, neutral: number }} Whole
+ */
 
 export const STATIONS = 421;
 export const STEPS = [28, 14, 7, 3, 1];
+const ORDER = 9;
 const AT_JET = ['', 'arm', 'phi_1r', 'phi_2r'];
 const AT_SENSOR = ['', 'phi_1', 'phi_2'];
 
-// At fixed gains: the polynomial that each pair of shapes multiplies, and the shapes.
+/**
+ * @param {{ [name: string]: any, terms?: Term[] }} system
+ * @param {Record<string, number>} gains
+ * @returns {Plan}
+ */
 export function planOf({ terms, shapes, pairs }, gains) {
-  const parts = AT_SENSOR.map(() => AT_JET.map(() => new Float64Array(10)));
-  for (const { factors, coefficients } of terms) {
-    const weight = factors.reduce((w, name) => w * (gains[name] ?? 1), 1);
-    const index = (names) =>
+  const parts = AT_SENSOR.map(() => AT_JET.map(() => new Float64Array(ORDER + 1)));
+  for (const term of terms) {
+    const index = (/** @type {string[]} */ names) =>
       Math.max(
         0,
-        names.findIndex((name) => name && factors.includes(name)),
+        names.findIndex((name) => name && term.factors.includes(name)),
       );
-    const sum = parts[index(AT_SENSOR)][index(AT_JET)];
-    coefficients.forEach((c, k) => (sum[k] += weight * c));
+    const held = { ...term, factors: term.factors.filter((name) => name in gains) };
+    addTerm(parts[index(AT_SENSOR)][index(AT_JET)], term, weightOf(held, gains));
   }
   const values = Object.fromEntries(Object.entries(shapes).map(([name, shape]) => [name, shape.values]));
   return { parts, values, pairs };
 }
 
-const ONE = { at: () => 1 };
-
-export function polynomial({ parts, values }, sensor, jet, c) {
-  c.fill(0);
+/**
+ * The roots at a pair of stations (ft).
+ * @param {Plan} plan
+ * @param {number} sensor
+ * @param {number} jet
+ */
+export function rootsAt({ parts, values }, sensor, jet) {
+  const c = new Float64Array(ORDER + 1);
+  const at = (/** @type {string} */ name, /** @type {number} */ station) =>
+    name ? values[name][station] : 1;
   AT_SENSOR.forEach((z, i) => {
-    const left = (values[z] ?? ONE).at(sensor);
     AT_JET.forEach((r, j) => {
-      const weight = left * (values[r] ?? ONE).at(jet);
-      for (let k = 0; k < 10; k++) c[k] += weight * parts[i][j][k];
+      addTerm(c, { coefficients: parts[i][j] }, at(z, sensor) * at(r, jet));
     });
   });
-  return c;
+  return roots(c);
 }
 
+/**
+ * @param {Plan} plan
+ * @param {number} sensor
+ * @param {number} jet
+ */
+export const abscissaAt = (plan, sensor, jet) => largest(rootsAt(plan, sensor, jet).x);
+
 // A root at the origin comes out of a sweep as a speck on either side of it.
+/** @param {Float64Array | number[]} x */
 function largest(x) {
-  const value = x.reduce((a, b) => Math.max(a, b), -Infinity);
+  let value = -Infinity;
+  for (let i = 0; i < x.length; i++) value = Math.max(value, x[i]);
   return Math.abs(value) < 1e-12 ? 0 : value;
 }
 
-export function rootsAt(plan, sensor, jet) {
-  return roots(polynomial(plan, sensor, jet, new Float64Array(10)));
+/**
+ * First the pairs asked for, then one row after the other, coarse ones first, and after the last of each
+ * fineness the line of zero.
+ * @param {Plan} plan
+ * @param {number[]} steps (ft)
+ * @returns {Generator<{ pairs: number[] } | Row | Whole, void, undefined>}
+ */
+export function* rows(plan, steps = STEPS) {
+  yield { pairs: plan.pairs.map(({ sensor, jet }) => abscissaAt(plan, sensor, jet)) };
+  for (const step of steps) {
+    const side = Math.ceil(STATIONS / step);
+    const all = new Float64Array(side * side);
+    const sweep = new Sweep(plan);
+    for (let jet = 0; jet < STATIONS; jet += step) {
+      const values = sweep.row(jet, step);
+      all.set(values, (jet / step) * side);
+      yield { step, jet, values };
+    }
+    const stable = all.filter((v) => v < 0).length;
+    const neutral = all.filter((v) => v === 0).length;
+    yield { step, line: zeroLine(all, side, step), stable, neutral };
+  }
 }
 
-export const abscissaAt = (plan, sensor, jet) => largest(rootsAt(plan, sensor, jet).x);
+// Runs over all pairs of stations row by row: each cell's roots start from those of the cell beside it.
+class Sweep {
+  /** @param {Plan} plan */
+  constructor(plan) {
+    this.plan = plan;
+    this.c = new Float64Array(ORDER + 1);
+    this.across = AT_SENSOR.map(() => new Float64Array(ORDER + 1));
+    this.x = new Float64Array(ORDER);
+    this.y = new Float64Array(ORDER);
+    /** @type {Float64Array[] | null} the roots of the last row's first cell */
+    this.first = null;
+  }
 
-// The line of zero through n by n values `step` feet apart, by straight pieces (marching squares): x, y, x, y for each.
+  /**
+   * @param {number} jet (ft)
+   * @param {number} step (ft)
+   */
+  row(jet, step) {
+    const { c, across } = this;
+    const { values, parts } = this.plan;
+    // The row's own polynomials: only the sensor is left to run.
+    across.forEach((sum, i) => {
+      sum.set(parts[i][0]);
+      for (let j = 1; j < AT_JET.length; j++)
+        addTerm(sum, { coefficients: parts[i][j] }, values[AT_JET[j]][jet]);
+    });
+    const row = new Float64Array(Math.ceil(STATIONS / step));
+    let warm = this.first !== null;
+    if (this.first) [this.x, this.y] = this.first.map((points) => points.slice());
+    for (let n = 0; n < row.length; n++) {
+      const p = values.phi_1[n * step];
+      const q = values.phi_2[n * step];
+      for (let k = 0; k <= ORDER; k++) c[k] = across[0][k] + p * across[1][k] + q * across[2][k];
+      row[n] = this.#cell(warm);
+      if (n === 0) this.first = [this.x.slice(), this.y.slice()];
+      warm = true;
+    }
+    return row;
+  }
+
+  // Aberth keeps real points real, so they start a little off the axis. The sum of the roots tells whether
+  // all were found.
+  /** @param {boolean} warm whether x and y are near the roots */
+  #cell(warm) {
+    const { c, x, y } = this;
+    if (warm) {
+      for (let i = 0; i < ORDER; i++) y[i] += (i % 2 ? 1e-7 : -1.3e-7) * (Math.abs(x[i]) + 1e-6);
+      aberth(c, ORDER, x, y, 1e-5);
+      let sum = c[ORDER - 1];
+      let size = Math.abs(sum);
+      for (let i = 0; i < ORDER; i++) {
+        sum += x[i];
+        size += Math.abs(x[i]);
+      }
+      if (Math.abs(sum) <= 1e-10 * size) return largest(x);
+    }
+    const found = roots(c);
+    x.set(found.x);
+    y.set(found.y);
+    return largest(x);
+  }
+}
+
+/**
+ * The line of zero through n by n values `step` feet apart, by straight pieces (marching squares).
+ * @param {Float64Array} values
+ * @param {number} n
+ * @param {number} step
+ */
 function zeroLine(values, n, step) {
+  /** @type {number[]} */
   const path = [];
-  const share = (a, b) => a / (a - b);
+  const share = (/** @type {number} */ a, /** @type {number} */ b) => a / (a - b);
   for (let j = 0; j + 1 < n; j++) {
     for (let s = 0; s + 1 < n; s++) {
       const at = j * n + s;
@@ -69,65 +187,4 @@ function zeroLine(values, n, step) {
     }
   }
   return Float32Array.from(path);
-}
-
-// First the pairs asked for, then one row after the other, { step, jet, values }, coarse ones first, and after the last
-// of each fineness the line of zero. Each cell's roots start from those of the cell beside it.
-export function* rows(plan, steps = STEPS) {
-  yield { pairs: plan.pairs.map(({ sensor, jet }) => abscissaAt(plan, sensor, jet)) };
-  const c = new Float64Array(10);
-  const across = new Float64Array(10 * AT_SENSOR.length);
-  for (const step of steps) {
-    const side = Math.ceil(STATIONS / step);
-    const all = new Float64Array(side * side);
-    let [x, y] = [new Float64Array(9), new Float64Array(9)];
-    let first = null;
-    for (let jet = 0; jet < STATIONS; jet += step) {
-      // The row's own polynomials: only the sensor is left to run.
-      AT_SENSOR.forEach((_, i) => {
-        for (let k = 0; k < 10; k++) {
-          let sum = plan.parts[i][0][k];
-          for (let j = 1; j < AT_JET.length; j++) sum += plan.values[AT_JET[j]][jet] * plan.parts[i][j][k];
-          across[10 * i + k] = sum;
-        }
-      });
-      const values = new Float64Array(side);
-      if (first) [x, y] = first.map((points) => points.slice());
-      for (let n = 0; n < values.length; n++) {
-        const p = plan.values.phi_1[n * step];
-        const q = plan.values.phi_2[n * step];
-        for (let k = 0; k < 10; k++) c[k] = across[k] + p * across[10 + k] + q * across[20 + k];
-        values[n] = cell(c, x, y, first !== null || n > 0);
-        if (n === 0) first = [x.slice(), y.slice()];
-      }
-      all.set(values, (jet / step) * side);
-      yield { step, jet, values };
-    }
-    const count = (test) => all.reduce((sum, value) => sum + Number(test(value)), 0);
-    yield {
-      step,
-      line: zeroLine(all, side, step),
-      stable: count((v) => v < 0),
-      neutral: count((v) => v === 0),
-    };
-  }
-}
-
-// Aberth keeps real points real, so they start a little off the axis. The sum of the roots tells whether all were found.
-function cell(c, x, y, warm) {
-  if (warm) {
-    for (let i = 0; i < 9; i++) y[i] += (i % 2 ? 1e-7 : -1.3e-7) * (Math.abs(x[i]) + 1e-6);
-    aberth(c, 9, x, y, 1e-5);
-    let sum = c[8];
-    let size = Math.abs(c[8]);
-    for (let i = 0; i < 9; i++) {
-      sum += x[i];
-      size += Math.abs(x[i]);
-    }
-    if (Math.abs(sum) <= 1e-10 * size) return largest(x);
-  }
-  const found = roots(c);
-  x.set(found.x);
-  y.set(found.y);
-  return largest(x);
 }

@@ -39,8 +39,8 @@ export class BranchOrder {
   }
 
   /**
-   * Puts a point's roots in the order of the point before. Two that coincide can't tell which is which: the next point
-   * then asks where they came from.
+   * Puts a point's roots in the order of the point before. Two that coincide can't tell which is which: the
+   * next point then asks where they came from.
    * @param {TracePoint} before
    * @param {TracePoint} point
    */
@@ -72,8 +72,9 @@ export class BranchOrder {
   }
 
   /**
-   * Where two branches meet on the real axis both pairings are equally near. The right one of two real roots is the upper
-   * one of a pair and the other way round, so that a step over both a meeting and a parting finds them in the same order.
+   * Where two branches meet on the real axis both pairings are equally near. The right one of two real roots
+   * is the upper one of a pair and the other way round, so that a step over both a meeting and a parting
+   * finds them in the same order.
    * @param {TracePoint} before
    * @param {TracePoint} point
    */
@@ -91,7 +92,8 @@ export class BranchOrder {
   }
 }
 
-// Clear: each root moves little beside the distance to the next one, and no other pairing can be nearer. Far: one doesn't.
+// Clear: each root moves little beside the distance to the next one, and no other pairing can be nearer. Far:
+// one doesn't.
 /**
  * @param {TracePoint} before
  * @param {TracePoint} point

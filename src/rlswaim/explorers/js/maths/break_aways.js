@@ -1,20 +1,23 @@
 // Where branches of a root locus meet: multiple roots of D + k N for a real gain k.
 import { flatten, startingPoints } from './aberth.js';
 import { gainAtPoint } from './factored_loop.js';
-import { distance, EPS } from './polynomials.js';
+import { distance, EPS, meanOf } from './polynomials.js';
 
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
 /** @typedef {import('./multiple_roots.js').Root} Root */
-/** @typedef {{ gain: number, x: number, y: number, count: number }} BreakAway count: how many branches meet at x + jy */
+/**
+ * count: how many branches meet at x + jy.
+ * @typedef {{ gain: number, x: number, y: number, count: number }} BreakAway
+ */
 /**
  * The sum of weight / (s - x - jy).
- * @typedef {{ x: Float64Array, y: Float64Array, weight: Float64Array }} Terms
+ * @typedef {{ x: number[], y: number[], weight: number[] }} Terms
  */
 
 /**
- * The break-aways of a loop: there d(ln k)/ds = Σ 1/(s - poles) - Σ 1/(s - zeros) = 0. A multiple open-loop pole is one too,
- * at the gain 0. Of a conjugate pair the upper one stands for both. One whose gain rounding of the data may change by more
- * than its size is left out.
+ * The break-aways of a loop: there d(ln k)/ds = Σ 1/(s - poles) - Σ 1/(s - zeros) = 0. A multiple open-loop
+ * pole is one too, at the gain 0. Of a conjugate pair the upper one stands for both. One whose gain rounding
+ * of the data may change by more than its size is left out.
  * @param {FactoredLoop} loop
  * @returns {BreakAway[]}
  */
@@ -25,9 +28,9 @@ export function breakAways(loop) {
   const start = multiple.map(({ x, y, count }) => ({ gain: 0, x, y, count }));
   const roots = [...poles, ...zeros];
   const terms = {
-    x: Float64Array.from(roots, ({ x }) => x),
-    y: Float64Array.from(roots, ({ y }) => y),
-    weight: Float64Array.from(roots, ({ count }, i) => (i < poles.length ? count : -count)),
+    x: roots.map(({ x }) => x),
+    y: roots.map(({ y }) => y),
+    weight: roots.map(({ count }, i) => (i < poles.length ? count : -count)),
   };
   const met = gathered(terms, stationaryPoints(terms));
   return [...start, ...met.flatMap((point) => withGain(loop, point))];
@@ -40,9 +43,10 @@ export function breakAways(loop) {
  */
 function withGain(loop, { x, y, count }) {
   if (y < 0) return [];
-  const doubt = loop.doubt(x, y);
   const [gain, rest] = gainAtPoint(loop, x, y);
-  const isReal = Math.abs(rest) <= Math.min(1e-3, Math.max(1e-9, 16 * doubt)) * Math.abs(gain);
+  if (!(Math.abs(rest) <= 1e-3 * Math.abs(gain))) return [];
+  const doubt = loop.doubt(x, y);
+  const isReal = Math.abs(rest) <= Math.max(1e-9, 16 * doubt) * Math.abs(gain);
   return isReal && doubt < 1 && Number.isFinite(gain) ? [{ gain, x, y, count: count + 1 }] : [];
 }
 
@@ -77,7 +81,8 @@ function guesses(c, n, scale) {
   return startingPoints(inner, n).map((v) => v.map((part) => part * scale));
 }
 
-// Σ weight Π over the other terms of (s - x - jy): a real polynomial of s / scale, which is the geometric mean of the sizes.
+// Σ weight Π over the other terms of (s - x - jy): a real polynomial of s / scale, which is the geometric
+// mean of the sizes.
 /** @param {Terms} terms */
 function numerator(terms) {
   const sizes = terms.x.map((x, i) => Math.hypot(x, terms.y[i])).filter((size) => size > 0);
@@ -161,12 +166,13 @@ function gathered(terms, { x, y }) {
     const near = [i];
     const farthest = 1e-4 * distance(x[i], y[i]);
     for (const j of left) if (j !== i && distance(x[j] - x[i], y[j] - y[i]) <= farthest) near.push(j);
-    const [mx, my] = [x, y].map((v) => near.reduce((sum, j) => sum + v[j], 0) / near.length);
+    left.delete(i);
+    const [mx, my] = near.length === 1 ? [x[i], y[i]] : [x, y].map((v) => meanOf(v, near));
     const up = near.some((j) => y[j] * my <= 0) ? 0 : my;
-    const isOne = near.length > 1 && isStationary(terms, mx, up);
-    for (const j of isOne ? near : [i]) left.delete(j);
-    if (isOne) found.push({ x: mx, y: up, count: near.length });
-    else found.push({ x: x[i], y: y[i], count: 1 });
+    if (near.length > 1 && isStationary(terms, mx, up)) {
+      for (const j of near) left.delete(j);
+      found.push({ x: mx, y: up, count: near.length });
+    } else found.push({ x: x[i], y: y[i], count: 1 });
   }
   return found;
 }

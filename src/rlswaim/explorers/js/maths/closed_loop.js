@@ -44,8 +44,8 @@ function pathOf(system, state, running, sign, start) {
 }
 
 /**
- * The closed-loop poles, each with the name of the open-loop pole that it grows out of as the loops are closed one after
- * the other, in the report's order.
+ * The closed-loop poles, each with the name of the open-loop pole that it grows out of as the loops are
+ * closed one after the other, in the report's order.
  * @param {System} system
  * @param {State} state
  * @returns {NamedPoles}

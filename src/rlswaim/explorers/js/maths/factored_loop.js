@@ -1,4 +1,5 @@
-// An open loop as distinct poles and zeros, without what they have in common: what break-aways and crossings are found from.
+// An open loop as distinct poles and zeros, without what they have in common: what break-aways and crossings
+// are found from.
 import { distinctRoots } from './multiple_roots.js';
 import { distance, EPS, evaluate, ROUNDING, termsAt, trimmed } from './polynomials.js';
 
@@ -6,17 +7,19 @@ import { distance, EPS, evaluate, ROUNDING, termsAt, trimmed } from './polynomia
 /** @typedef {import('./polynomials.js').Complex} Complex */
 /**
  * D + k N; the sizes are what each coefficient is a small difference of, by default its own size.
- * @typedef {{ D: Coefficients, N: Coefficients, sizes?: { D: Float64Array, N: Float64Array } }} PolynomialLoop
+ * @typedef {{ D: Coefficients, N: Coefficients, sizes?: { D: Float64Array, N: Float64Array } }}
+ *   PolynomialLoop
  */
-/** @typedef {{ poles: Points, zeros: Points, gain: number }} FactorLoop gain Π(s - zeros) / Π(s - poles), exactly so */
+/** @typedef {{ poles: Points, zeros: Points, gain: number }} FactorLoop gain Π(s - zeros) / Π(s - poles) */
 /** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Points */
 /** @typedef {import('./multiple_roots.js').Root} Root */
 /**
- * gain Π(s - zeros) / Π(s - poles); common: the roots that stand still, as zeros and poles have them in common; doubt: the
- * part of D/N at a point by which the rounding of the data changes it; isRoot: whether the data let a point be a pole (or
- * a zero) itself.
+ * gain Π(s - zeros) / Π(s - poles); common: the roots that stand still, as zeros and poles have them in
+ * common; doubt: the part of D/N at a point by which the rounding of the data changes it; isRoot: whether the
+ * data let a point be a pole (or a zero) itself.
  * @typedef {{ poles: Root[], zeros: Root[], common: Root[], gain: number,
- *   doubt: (x: number, y: number) => number, isRoot: (of: 'poles' | 'zeros', x: number, y: number) => boolean }} FactoredLoop
+ *   doubt: (x: number, y: number) => number, isRoot: (of: 'poles' | 'zeros', x: number, y: number) => boolean
+ * }} FactoredLoop
  */
 
 const NEAR = 1e-3; // no two points farther apart than this part of their size are taken for one
@@ -54,8 +57,8 @@ function fromPolynomials({ D, N, sizes }) {
   const resting = leadingZeros(D, N); // roots at the origin at every gain
   const [d, n] = [trimmed(D).subarray(resting), trimmed(N).subarray(resting)];
   const data = {
-    poles: { c: d, sizes: sizes ? sizes.D.slice(resting) : d },
-    zeros: { c: n, sizes: sizes ? sizes.N.slice(resting) : n },
+    poles: { c: d, sizes: sizes ? sizes.D.subarray(resting) : d },
+    zeros: { c: n, sizes: sizes ? sizes.N.subarray(resting) : n },
   };
   const parts = { poles: distinctRoots(d, data.poles.sizes), zeros: distinctRoots(n, data.zeros.sizes) };
   /** @type {FactoredLoop['isRoot']} */

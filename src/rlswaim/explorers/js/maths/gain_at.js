@@ -11,8 +11,8 @@ import { pointAt } from './tracing.js';
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
 /**
- * The value of the running parameter at which a branch of a locus comes nearest to a point: the nearest place on the drawn
- * line first, then golden section on the curve itself.
+ * The value of the running parameter at which a branch of a locus comes nearest to a point: the nearest place
+ * on the drawn line first, then golden section on the curve itself.
  * @param {System} system
  * @param {State} state
  * @param {What} what

@@ -21,7 +21,8 @@ export const gainCurve = ({ D, N }, sign, breaks) => ({
 const MOST = 2000;
 
 /**
- * Sizes of gains at which a trace stops in any case, rising: from 0 by thirds of a decade, and where branches meet.
+ * Sizes of gains at which a trace stops in any case, rising: from 0 by thirds of a decade, and where branches
+ * meet.
  * @param {number[]} magnitudes the first and the last size
  * @param {number[]} breaks sizes of gains
  */

@@ -1,4 +1,5 @@
-// Values that depend on a few places of the sliders alone, kept while other sliders move: the last ones of each system.
+// Values that depend on a few places of the sliders alone, kept while other sliders move: the last ones of
+// each system.
 
 const MOST = 24;
 /** @type {WeakMap<object, Map<string, any>>} */

@@ -2,7 +2,8 @@
 
 /** @typedef {import('./trace_points.js').TracePoint} TracePoint */
 /**
- * The part of the plane that is drawn (1/s), its scale (pixels per 1/s), and how far the drawn line may be off (pixels).
+ * The part of the plane that is drawn (1/s), its scale (pixels per 1/s), and how far the drawn line may be
+ * off (pixels).
  * @typedef {{ left: number, right: number, top: number, scale: number, tolerance: number }} View
  */
 
@@ -45,14 +46,16 @@ export function isRough({ left, right, top, scale, tolerance }, a, m, b, depth) 
     const offX = mx - part * bx;
     const offY = my - part * by;
     if (offX * offX + offY * offY > worst) return true;
-    // Far from halfway along: the speed changes as beside a break-away, and the middle says little of the rest.
+    // Far from halfway along: the speed changes as beside a break-away, and the middle says little of the
+    // rest.
     if (Math.abs(part - 0.5) > 0.15 && move > long) return true;
   }
   return false;
 }
 
 /**
- * Whether nothing that is seen moves: each root less than the tolerance, or farther off the window than it moves.
+ * Whether nothing that is seen moves: each root less than the tolerance, or farther off the window than it
+ * moves.
  * @param {View} view
  * @param {TracePoint} a
  * @param {TracePoint} b

@@ -28,9 +28,9 @@ function* tracedBothWays({ curve, back, forth }, start, view) {
 const hasNumbers = ({ x, y }) => Array.from(x).every(Number.isFinite) && Array.from(y).every(Number.isFinite);
 
 /**
- * The locus of any parameter. A gain runs from 0 to the end of its range, on the side of its sign; a station from the nose
- * to the tail. Each branch has the name of the present pole on it. isFinite tells whether all roots are numbers: they
- * aren't where a parameter is so large that a coefficient overflows.
+ * The locus of any parameter. A gain runs from 0 to the end of its range, on the side of its sign; a station
+ * from the nose to the tail. Each branch has the name of the present pole on it. isFinite tells whether all
+ * roots are numbers: they aren't where a parameter is so large that a coefficient overflows.
  * @param {System} system
  * @param {State} state
  * @param {View} view
@@ -77,8 +77,9 @@ function presentRoots(system, state, what, curve) {
 }
 
 /**
- * The closed-loop poles at the present gains as a station runs over its range, step by step: from the present one both
- * ways, so that a branch is the one that the locus calls so. Empty at last where the feedback makes no use of it.
+ * The closed-loop poles at the present gains as a station runs over its range, step by step: from the present
+ * one both ways, so that a branch is the one that the locus calls so. Empty at last where the feedback makes
+ * no use of it.
  * @param {System} system
  * @param {State} state
  * @param {NamedPoles} present

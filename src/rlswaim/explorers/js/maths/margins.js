@@ -7,12 +7,13 @@ import { combine, evaluate, multiply } from './polynomials.js';
 /** @typedef {import('./terms.js').State} State */
 /** @typedef {import('./open_loop.js').What} What */
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
-/** @typedef {{ D: Coefficients, N: Coefficients, crossings: () => import('./crossings.js').Crossing[] }} Loop */
+/** @typedef {import('./crossings.js').Crossing} Crossing */
+/** @typedef {{ D: Coefficients, N: Coefficients, crossings: () => Crossing[] }} Loop */
 
 /**
- * The margins of the loop k N/D at the present gain: by which factor the gain may change before a root crosses the axis,
- * how far the phase is from -180 degrees where the loop's size is 1, and the delay (s) that would use it up. null where
- * nothing is fed back.
+ * The margins of the loop k N/D at the present gain: by which factor the gain may change before a root
+ * crosses the axis, how far the phase is from -180 degrees where the loop's size is 1, and the delay (s) that
+ * would use it up. null where nothing is fed back.
  * @param {System} system
  * @param {State} state
  * @param {What} what
@@ -54,7 +55,8 @@ function frequenciesOfUnitSize(D, N, k) {
   return u.x.filter((x, i) => x > 0 && Math.abs(u.y[i]) <= 1e-9 * x).map(Math.sqrt);
 }
 
-// |c(j omega)|^2 as a polynomial of omega^2: the squares of c's even and odd parts, c(j omega) = even + j omega odd.
+// |c(j omega)|^2 as a polynomial of omega^2: the squares of c's even and odd parts, c(j omega) = even + j
+// omega odd.
 /** @param {Coefficients} c */
 function squareOnAxis(c) {
   const part = (/** @type {number} */ first) =>

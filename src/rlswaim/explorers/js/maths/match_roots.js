@@ -2,7 +2,8 @@
 
 /** @typedef {Float64Array | number[]} Numbers */
 
-// The room for the assignment, made once: it is called hundreds of times in a frame. Larger sets get a larger room.
+// The room for the assignment, made once: it is called hundreds of times in a frame. Larger sets get a larger
+// room.
 /** @param {number} most */
 const roomFor = (most) => ({
   most,
@@ -29,8 +30,8 @@ function atOrigin(x, y) {
 const FORBIDDEN = 1e30;
 
 /**
- * For each point of a its partner in b, by least total squared distance. A point that stays at the origin itself is not
- * exchanged for another that passes it.
+ * For each point of a its partner in b, by least total squared distance. A point that stays at the origin
+ * itself is not exchanged for another that passes it.
  * @param {Numbers} ax
  * @param {Numbers} ay
  * @param {Numbers} bx
@@ -71,8 +72,8 @@ export function matchRoots(ax, ay, bx, by, partner) {
   return partner;
 }
 
-// The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form) for the points that
-// are left: those that have the nearest one to themselves keep it at first.
+// The assignment problem by shortest augmenting paths (Kuhn, Munkres; Jonker and Volgenant's form) for the
+// points that are left: those that have the nearest one to themselves keep it at first.
 /**
  * @param {number} n
  * @param {Int32Array} partner

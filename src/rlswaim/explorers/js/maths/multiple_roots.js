@@ -1,6 +1,6 @@
 // The distinct roots of a polynomial with their multiplicities.
 import { roots } from './aberth.js';
-import { distance, ROUNDING } from './polynomials.js';
+import { distance, meanOf, ROUNDING } from './polynomials.js';
 import { sharpened } from './sharpened.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
@@ -35,7 +35,8 @@ export function distinctRoots(c, sizes) {
   return found;
 }
 
-// For each root the number of its conjugate, its own if it is real. A root that has lost its conjugate counts as real.
+// For each root the number of its conjugate, its own if it is real. A root that has lost its conjugate counts
+// as real.
 /**
  * @param {number[]} x
  * @param {number[]} y
@@ -79,7 +80,7 @@ function clusterOf(c, sizes, x, y, i, left) {
     const members = near.slice(0, m);
     const next = m < near.length ? off(near[m]) : Infinity;
     if (off(members[m - 1]) > Math.min(farthest, 0.25 * next)) continue;
-    const [mx, my] = [x, y].map((v) => members.reduce((sum, j) => sum + v[j], 0) / m);
+    const [mx, my] = [x, y].map((v) => meanOf(v, members));
     const real = members.some((j) => y[j] === 0) || members.some((j) => y[j] * my < 0);
     const at = polishedMultiple(c, m, mx, real ? 0 : my);
     if (isMultiple(c, sizes, m, at[0], at[1])) return { members, x: at[0], y: at[1] };

@@ -9,8 +9,8 @@ import { factorsOf, longest, weightOf } from './terms.js';
 /** @typedef {import('./terms.js').State} State */
 /** @typedef {import('./multiple_roots.js').Root} Root */
 /**
- * What a locus draws: the parameter that runs, the gains that are off, and whether its roots are the closed-loop poles or
- * the zeros that the poles run to in a later loop, whose gain multiplies them.
+ * What a locus draws: the parameter that runs, the gains that are off, and whether its roots are the
+ * closed-loop poles or the zeros that the poles run to in a later loop, whose gain multiplies them.
  * @typedef {{ running: string, off?: string[], of?: string, gain?: string }} What
  */
 /** @typedef {{ D: Float64Array, N: Float64Array, sizes: { D: Float64Array, N: Float64Array } }} OpenLoop */
@@ -37,7 +37,8 @@ export const withoutGains = (state, gains = []) => ({
 });
 
 /**
- * The loop as D + k N in the gain k that runs; the sizes are the sums of the sizes of the terms of each coefficient.
+ * The loop as D + k N in the gain k that runs; the sizes are the sums of the sizes of the terms of each
+ * coefficient.
  * @param {System} system
  * @param {State} state
  * @param {What} what
@@ -102,7 +103,8 @@ function repeated(roots) {
 }
 
 /**
- * The open-loop poles, each with the branch that leaves from it: the vehicle's from Python, the actuators' are factors.
+ * The open-loop poles, each with the branch that leaves from it: the vehicle's from Python, the actuators'
+ * are factors.
  * @param {System} system
  * @param {State} state
  * @returns {{ x: ArrayLike<number>, y: ArrayLike<number>, branches: string[] }}

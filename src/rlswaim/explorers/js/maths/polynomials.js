@@ -1,7 +1,7 @@
 // Real polynomials. Coefficients run from the constant term up; complex values are pairs [re, im].
 
 /** @typedef {ArrayLike<number>} Coefficients constant term first */
-/** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Points real and imaginary parts, one entry a point */
+/** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Points real and imaginary parts */
 /** @typedef {[number, number]} Complex */
 
 /** The distance from 1 to the next larger number. */
@@ -18,6 +18,13 @@ export const ROUNDING = 4 * EPS;
 export const distance = (x, y) => Math.sqrt(x * x + y * y);
 
 /**
+ * The mean of the values at some places.
+ * @param {ArrayLike<number>} values
+ * @param {number[]} places
+ */
+export const meanOf = (values, places) => places.reduce((sum, i) => sum + values[i], 0) / places.length;
+
+/**
  * The value of a polynomial at x + jy.
  * @param {Coefficients} c
  * @param {number} x
@@ -32,7 +39,8 @@ export function evaluate(c, x, y) {
 }
 
 /**
- * The sum of the sizes of a polynomial's terms at a distance from the origin: rounding is in proportion to it.
+ * The sum of the sizes of a polynomial's terms at a distance from the origin: rounding is in proportion to
+ * it.
  * @param {Coefficients} c
  * @param {number} size
  */
@@ -72,5 +80,7 @@ export const combine = (a, b, factor) =>
 export function trimmed(c) {
   let length = c.length;
   while (length > 0 && c[length - 1] === 0) length--;
-  return Float64Array.from({ length }, (_, k) => c[k]);
+  const found = new Float64Array(length);
+  for (let k = 0; k < length; k++) found[k] = c[k];
+  return found;
 }

@@ -1,25 +1,32 @@
-// Where N/D is real on the imaginary axis. The phase of each factor (s - root) runs one way along the axis, so that the
-// phase of N/D is bounded over any interval: intervals are halved until one holds no place or just one.
+// Where N/D is real on the imaginary axis. The phase of each factor (s - root) runs one way along the axis,
+// so that the phase of N/D is bounded over any interval: intervals are halved until one holds no place or
+// just one.
 import { EPS } from './polynomials.js';
 
 /** @typedef {import('./multiple_roots.js').Root} Root */
 /** @typedef {{ x: number, y: number, weight: number }} Term */
 /**
- * An end of an interval; the angles of its terms start at slot in the room of the phase; edge: a place itself does not count.
+ * An end of an interval; the angles of its terms start at slot in the room of the phase; edge: a place itself
+ * does not count.
  * @typedef {{ at: number, slot: number, phase: number, edge: boolean }} End
  */
 /**
  * The phase base - Σ weight atan((omega - y)/x) of the terms.
- * @typedef {{ x: Float64Array, y: Float64Array, weight: Float64Array, base: number, tolerance: number,
+ * @typedef {{ x: number[], y: number[], weight: number[], base: number, tolerance: number,
  *   room: Float64Array }} Phase
  */
 
 const DEEPEST = 60;
 const MOST = 2000; // halvings, beyond which an interval is judged by its ends
+const PLACES = DEEPEST + 4; // two ends, one more at each depth, and one to try
+
+// The angles of all terms at each place; made once, and larger when more terms come.
+let room = new Float64Array(PLACES * 32);
 
 /**
- * All omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) passes through a multiple of 180 degrees; both
- * are real or in conjugate pairs. Where a pole or zero stands on the axis itself, at 0 and at infinity none is told.
+ * All omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) passes through a multiple of
+ * 180 degrees; both are real or in conjugate pairs. Where a pole or zero stands on the axis itself, at 0 and
+ * at infinity none is told.
  * @param {Root[]} poles
  * @param {Root[]} zeros
  * @returns {number[]}
@@ -36,7 +43,10 @@ export function realPhases(poles, zeros) {
   const order = all.reduce((sum, { weight }) => sum + weight, 0);
   const inverse = all
     .filter(({ x, y }) => x !== 0 || y !== 0)
-    .map(({ x, y, weight }) => ({ x: x / (x * x + y * y), y: -y / (x * x + y * y), weight }));
+    .map(({ x, y, weight }) => {
+      const square = x * x + y * y;
+      return { x: x / square, y: -y / square, weight };
+    });
   return [
     ...placesUpTo(all, top),
     ...placesUpTo([...inverse, { x: 0, y: 0, weight: -order }], 1 / top).map((v) => 1 / v),
@@ -51,11 +61,12 @@ function placesUpTo(all, top) {
   const terms = unmirrored(all.filter(({ x }) => x !== 0));
   if (terms.length === 0) return [];
   const onAxis = all.filter(({ x }) => x === 0);
+  if (room.length < PLACES * terms.length) room = new Float64Array(2 * PLACES * terms.length);
   const phase = {
-    x: Float64Array.from(terms, ({ x }) => x),
-    y: Float64Array.from(terms, ({ y }) => y),
-    weight: Float64Array.from(terms, ({ weight }) => weight),
-    room: new Float64Array((DEEPEST + 4) * terms.length), // two ends, one more at each depth, and one to try
+    x: terms.map(({ x }) => x),
+    y: terms.map(({ y }) => y),
+    weight: terms.map(({ weight }) => weight),
+    room,
     base: (onAxis.reduce((sum, { weight }) => sum + weight, 0) % 2) * (Math.PI / 2),
     tolerance: 4 * EPS * (4 + terms.reduce((sum, { weight }) => sum + Math.abs(weight), 0)),
   };
@@ -66,10 +77,12 @@ function placesUpTo(all, top) {
   /** @type {number[]} */
   const found = [];
   const budget = { left: MOST };
-  const end = (/** @type {number} */ place, /** @type {number} */ at) =>
-    endAt(phase, place, at, edges.includes(at));
-  for (let k = 1; k < places.length; k++)
-    search(phase, end(0, places[k - 1]), end(1, places[k]), 0, budget, found);
+  let last = endAt(phase, 0, places[0], true);
+  for (let k = 1; k < places.length; k++) {
+    const next = endAt(phase, k % 2, places[k], edges.includes(places[k]));
+    search(phase, last, next, 0, budget, found);
+    last = next;
+  }
   return found;
 }
 
@@ -79,7 +92,8 @@ function placesUpTo(all, top) {
  * @returns {Term[]}
  */
 function unmirrored(terms) {
-  const left = terms.map((term) => ({ ...term }));
+  if (terms.every(({ x }) => x < 0)) return terms;
+  const left = terms.map(({ x, y, weight }) => ({ x, y, weight }));
   for (const a of left) {
     for (const b of left) {
       if (a.x * b.x >= 0 || a.weight * b.weight <= 0) continue;
@@ -144,7 +158,8 @@ function search(phase, a, b, depth, budget, found) {
   search(phase, m, b, depth + 1, budget, found);
 }
 
-// How many half turns the phase is past. At an edge that stands on one it is taken a little inside the interval.
+// How many half turns the phase is past. At an edge that stands on one it is taken a little inside the
+// interval.
 /**
  * @param {Phase} phase
  * @param {End} end

@@ -1,4 +1,5 @@
-// The curve of roots that a locus draws as one parameter runs, the places where a trace stops, and what marks it.
+// The curve of roots that a locus draws as one parameter runs, the places where a trace stops, and what marks
+// it.
 import { gainCurve, gainNodes } from './gain_curve.js';
 import { loopOf } from './open_loop.js';
 import { stationCrossings } from './station_crossings.js';
@@ -13,9 +14,9 @@ import { along, collapse, factorsOf, fill, leftOut } from './terms.js';
 /** @typedef {import('./tracing.js').Curve} Curve */
 /**
  * back, forth: the nodes from the present value to the two ends; idle: nothing depends on the parameter.
- * @typedef {{ kind: 'gain' | 'station', curve: Curve, from: number, end: number, back: number[], forth: number[],
- *   idle: boolean, zeros: { x: number[], y: number[] }, breaks: BreakAway[],
- *   crossings: (branches: TracePoint[]) => Crossing[] }} RunningCurve
+ * @typedef {{ kind: 'gain' | 'station', curve: Curve, from: number, end: number, back: number[], forth:
+ *   number[], idle: boolean, zeros: { x: number[], y: number[] }, breaks: BreakAway[], crossings: (branches:
+ *   TracePoint[]) => Crossing[] }} RunningCurve
  */
 
 /**

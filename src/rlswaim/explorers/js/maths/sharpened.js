@@ -1,5 +1,5 @@
-// Ill-conditioned roots to the last digits: their polynomial evaluated with twice the digits (Dekker's and Knuth's exact
-// sums and products, as pairs of a number and what rounding left of it).
+// Ill-conditioned roots to the last digits: their polynomial evaluated with twice the digits (Dekker's and
+// Knuth's exact sums and products, as pairs of a number and what rounding left of it).
 import { distance, EPS } from './polynomials.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
@@ -91,8 +91,8 @@ const STEPS = 6;
 const GOOD = 1e-11; // a relative error of a root that needs no mending
 
 /**
- * Newton's steps on the roots that rounding has moved by more than 1e-11 of their size, each shorter than a third of the
- * distance to the next root. The others stay as they are.
+ * Newton's steps on the roots that rounding has moved by more than 1e-11 of their size, each shorter than a
+ * third of the distance to the next root. The others stay as they are.
  * @param {Coefficients} c
  * @param {Roots} roots
  * @returns {Roots}

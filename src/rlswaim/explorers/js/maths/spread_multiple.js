@@ -4,8 +4,8 @@ import { startingPoints } from './aberth.js';
 /** @typedef {import('./trace_points.js').Numbers} Numbers */
 
 /**
- * Where three or more roots of the point before coincide, puts their guesses on the circle about that place whose radius
- * the polynomial's coefficients there tell: equal guesses would stay equal.
+ * Where three or more roots of the point before coincide, puts their guesses on the circle about that place
+ * whose radius the polynomial's coefficients there tell: equal guesses would stay equal.
  * @param {Float64Array} c
  * @param {{ x: Numbers, y: Numbers, gap: Numbers }} before
  * @param {Numbers} x
@@ -13,6 +13,7 @@ import { startingPoints } from './aberth.js';
  */
 export function spreadMultiple(c, before, x, y) {
   const left = new Set(Array.from(before.gap.keys()).filter((i) => before.gap[i] === Infinity));
+  if (left.size < 3) return;
   for (const i of left) {
     const members = [...left].filter(
       (j) =>

@@ -6,8 +6,8 @@ import { pointAt } from './tracing.js';
 /** @typedef {import('./tracing.js').Curve} Curve */
 
 /**
- * The crossings between the points of a trace. Where a root stays at the origin, another that passes it there is told by
- * the next coefficient's sign.
+ * The crossings between the points of a trace. Where a root stays at the origin, another that passes it there
+ * is told by the next coefficient's sign.
  * @param {Curve} curve
  * @param {TracePoint[]} points
  * @returns {Crossing[]}

@@ -1,6 +1,6 @@
 // The table of terms that Python sends: (product of factors) x (polynomial). Nothing here knows any physics.
 
-/** @typedef {{ factors: string[], coefficients: ArrayLike<number> }} Term constant term of the polynomial first */
+/** @typedef {{ factors: string[], coefficients: ArrayLike<number> }} Term constant term first */
 /** @typedef {Record<string, any>} State the value of each parameter by its name */
 /** @typedef {Record<string, number>} Factors */
 /**
@@ -13,7 +13,8 @@
  */
 
 /**
- * The value of each factor of the table: a parameter itself, or a mode's shape at the station that a parameter gives.
+ * The value of each factor of the table: a parameter itself, or a mode's shape at the station that a
+ * parameter gives.
  * @param {System} system
  * @param {State} state
  * @returns {Factors}
@@ -35,8 +36,8 @@ export function factorsOf(system, state) {
 export const leftOut = ({ choice }, state) => (choice ? (choice.zero[state[choice.name]] ?? []) : []);
 
 /**
- * The table has one value a foot; between two of them the picture takes the straight line, at an end and beyond it the
- * value there.
+ * The table has one value a foot; between two of them the picture takes the straight line, at an end and
+ * beyond it the value there.
  * @param {ArrayLike<number>} values
  * @param {number} station (ft)
  */
@@ -85,7 +86,7 @@ export function collapse(terms, factors, free) {
 
 /**
  * @param {Float64Array} sum
- * @param {Term} term
+ * @param {Pick<Term, 'coefficients'>} term
  * @param {number} weight
  */
 export function addTerm(sum, { coefficients }, weight) {

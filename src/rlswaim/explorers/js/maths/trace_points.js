@@ -2,12 +2,12 @@
 
 /** @typedef {Float64Array | number[]} Numbers */
 /**
- * gap: for each root the square of the distance to the next one, infinite where two coincide; apart: no two coincide;
- * kx, ky: as x, y, but of roots that coincide where each came from; clear, far: how it stands to the point before;
- * turns: how often its order has changed; number, follows, seen: which point it was put in order after (by number: points
- * that held each other would all stay), and how that stood then.
- * @typedef {{ t: number, x: Numbers, y: Numbers, gap: Numbers, apart: boolean, kx: Numbers, ky: Numbers, clear: boolean,
- *   far: boolean, turns: number, number: number, follows: number, seen: number }} TracePoint
+ * gap: for each root the square of the distance to the next one, infinite where two coincide; apart: no two
+ * coincide; kx, ky: as x, y, but of roots that coincide where each came from; clear, far: how it stands to
+ * the point before; turns: how often its order has changed; number, follows, seen: which point it was put in
+ * order after (by number: points that held each other would all stay), and how that stood then.
+ * @typedef {{ t: number, x: Numbers, y: Numbers, gap: Numbers, apart: boolean, kx: Numbers, ky: Numbers,
+ *   clear: boolean, far: boolean, turns: number, number: number, follows: number, seen: number }} TracePoint
  */
 
 let made = 0;

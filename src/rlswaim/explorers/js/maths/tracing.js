@@ -77,8 +77,8 @@ export class Tracer {
   }
 
   /**
-   * Traces from a to b: halves the step until the drawn line is true and no root moves so far that it could be taken for
-   * another.
+   * Traces from a to b: halves the step until the drawn line is true and no root moves so far that it could
+   * be taken for another.
    * @param {TracePoint} a
    * @param {TracePoint} b
    * @param {number} depth
@@ -121,8 +121,8 @@ function meet(breaks, t, px, py) {
 }
 
 /**
- * Traces t over the nodes, a stretch at each step; at last returns the points, whose branches are in the order of start:
- * { x, y } at the first node. Traced back, a curve has the same branches as on its way forth.
+ * Traces t over the nodes, a stretch at each step; at last returns the points, whose branches are in the
+ * order of start: { x, y } at the first node. Traced back, a curve has the same branches as on its way forth.
  * @param {Curve} curve
  * @param {number[]} nodes
  * @param {{ x: ArrayLike<number>, y: ArrayLike<number> }} start
