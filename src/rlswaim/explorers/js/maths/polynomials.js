@@ -60,10 +60,6 @@ export function multiply(a, b) {
   return product;
 }
 
-/** @param {Coefficients} c */
-export const derivative = (c) =>
-  Float64Array.from({ length: Math.max(c.length - 1, 0) }, (_, k) => c[k + 1] * (k + 1));
-
 /**
  * a + factor b.
  * @param {Coefficients} a
