@@ -1,0 +1,98 @@
+"""Set the report's equations with a verdict on each printed number, and a card that tells its ledger row.
+
+``:::{report-equation} 38`` and ``:::`` set Eq. 38, numbered (38) and labelled ``eq-38``.  Several numbers
+set several equations; ``46a`` sets what the report prints below Eq. 46 without a number.
+``:::{verdict-legend}`` and ``:::`` list the marks.
+
+The card's script and style are served with the book from its own files; what the cards say is written
+from the ledger into ``printed_numbers.js`` when the book is built.
+"""
+
+import json
+import shutil
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from docutils.statemachine import StringList
+from sphinx.application import Sphinx
+from sphinx.directives.patches import MathDirective
+from sphinx.util.docutils import SphinxDirective
+
+from rlswaim.edition.equations_as_printed import as_tex, slug, template
+from rlswaim.edition.further_rows import entries
+from rlswaim.edition.ledger import VERDICTS, Entry, table
+
+HERE = Path(__file__).parent
+FILES = ("report_equations.js", "report_equations.css")
+CELLS = ("where", "quantity", "printed", "computed", "unit", "difference (%)", "verdict", "why")
+
+
+class ReportEquation(SphinxDirective):
+    """Equations of the report, by their numbers."""
+
+    has_content = True
+    optional_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """Run the directive."""
+        keys = " ".join([*self.arguments, *self.content]).replace(",", " ").split()
+        if not keys:
+            raise self.error("report-equation: got no number, wanted one from 1 to 137")
+        return [node for key in keys for node in self._equation(key)]
+
+    def _equation(self, key: str) -> list[nodes.Node]:
+        """Return one equation's nodes: target, formula, and the note on the reading."""
+        try:
+            found, tex = template(key), as_tex(key)
+        except ValueError as wrong:
+            raise self.error(str(wrong)) from None
+        options: dict[str, Any] = {"class": ["report-equation"]}
+        if found.numbered:
+            options["label"] = f"eq-{key}"
+        content = StringList(tex.splitlines(), source=f"equation {key}")
+        where = (self.lineno, self.content_offset, self.block_text, self.state, self.state_machine)
+        math = MathDirective("math", [], options, content, *where).run()
+        note = [nodes.paragraph("", found.note, classes=["reading-note"])] if found.note else []
+        return [*math, *note]
+
+
+class VerdictLegend(SphinxDirective):
+    """The marks of the eight verdicts, side by side."""
+
+    def run(self) -> list[nodes.Node]:
+        """Run the directive."""
+        samples = (
+            f'<li><span class="printed-sample {slug(v)}">1.31</span> {escape(v)}</li>' for v in VERDICTS
+        )
+        return [nodes.raw("", f'<ul class="verdict-legend">{"".join(samples)}</ul>', format="html")]
+
+
+def card_data(rows: list[Entry]) -> str:
+    """Return the script with what the cards say: cells of each row by id, each reason written once."""
+    shown = table(rows)
+    reasons = list(dict.fromkeys(shown["why"]))
+    cells = {name: [*row[:-1], reasons.index(row[-1])] for name, *row in shown[[*CELLS]].itertuples()}
+    data = json.dumps({"rows": cells, "reasons": reasons}, ensure_ascii=False, separators=(",", ":"))
+    return f"window.rlswaimPrintedNumbers = {data};\n"
+
+
+def write(app: Sphinx, exception: Exception | None) -> None:
+    """Put script, style and data beside the other static files of the built pages."""
+    if exception is None and app.builder.format == "html":
+        static = Path(app.outdir) / "_static"
+        for name in FILES:
+            shutil.copy(HERE / name, static / name)
+        (static / "printed_numbers.js").write_text(card_data(list(entries().values())), encoding="utf-8")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register the directives with Sphinx, and script and style with every page."""
+    app.add_directive("report-equation", ReportEquation)
+    app.add_directive("verdict-legend", VerdictLegend)
+    app.connect("build-finished", write)
+    app.add_css_file("report_equations.css")
+    app.add_js_file("report_equations.js", loading_method="defer")
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
