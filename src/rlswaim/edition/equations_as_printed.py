@@ -79,6 +79,17 @@ def _set(match: re.Match[str]) -> str:
     return marked(row, ("-" if negative else "") + digits(row["printed"]))
 
 
+def with_numbers(tex: str) -> str:
+    """Return a template's ``tex`` with the printed numbers in their places, each one marked.
+
+    Raises
+    ------
+    KeyError
+        If it names a row that the ledger does not have.
+    """
+    return PLACE.sub(_set, tex)
+
+
 def as_tex(key: str | int) -> str:
     """Return an equation of the report as TeX for MathJax, its printed numbers marked.
 
@@ -91,7 +102,5 @@ def as_tex(key: str | int) -> str:
     ------
     ValueError
         If the report has no such equation.
-    KeyError
-        If the template names a row that the ledger does not have.
     """
-    return PLACE.sub(_set, template(key).tex)
+    return with_numbers(template(key).tex)
