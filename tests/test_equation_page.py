@@ -74,7 +74,7 @@ def all_equations(tmp_path_factory):
         running.shutdown()
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def page(browser, all_equations):
     context = browser.new_context(viewport={"width": 1280, "height": 900})
     opened, errors = context.new_page(), []
