@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from rlswaim.edition.further_rows import entries
+from rlswaim.edition.tables_as_printed import printed_table
 from rlswaim.source.equations import templates
 from serve import server
 
@@ -36,6 +37,17 @@ See {{eq}}`eq-38` and {{eq}}`eq-133`.
 ```
 
 :::{{report-equation}} {the_rest}
+:::
+
+See {{numref}}`tab-2`.
+
+:::{{report-table}} 1
+:::
+
+:::{{report-table}} 2
+:::
+
+:::{{report-table}} 3
 :::
 """
 
@@ -103,6 +115,18 @@ def test_equations_have_the_report_s_numbers(page):
     assert page.locator("a.internal[href='#equation-eq-38']").text_content() == "(38)"
 
 
+def test_tables_have_their_numbers_and_marks(page):
+    tables = page.locator("table.report-table")
+    captions = [" ".join(words.split()) for words in tables.locator("caption").all_text_contents()]
+    assert [words[:8] for words in captions] == ["Table 1 ", "Table 2 ", "Table 3 "]
+    for i in range(3):
+        entries_shown = (
+            tables.nth(i).locator(".printed").evaluate_all("all => all.map((n) => n.dataset.entry)")
+        )
+        assert tuple(entries_shown) == printed_table(i + 1).entries
+    assert page.locator("a.internal[href='#tab-2']").text_content() == "Table 2"
+
+
 def card(page):
     return page.locator(".printed-card")
 
@@ -134,6 +158,16 @@ def test_a_touch_opens_a_card_and_another_one_closes_it(page):
     assert "misprint" in card(page).inner_text()
     page.locator("h1").dispatch_event("click")
     assert card(page).is_hidden()
+
+
+def test_a_card_tells_what_is_given_and_what_is_reprinted(page):
+    for at, entry, words in (
+        (99, "eq99-b", "Data or a choice of the report"),
+        (42, "eq42-M_q1", "row eq38-M_q1 judges it"),
+    ):
+        page.locator(f"{equation(at)} .printed[data-entry='{entry}']").first.dispatch_event("click")
+        card(page).get_by_text(words).wait_for()
+    page.keyboard.press("Escape")
 
 
 def test_one_tab_stop_leads_to_all_numbers_of_an_equation(page):

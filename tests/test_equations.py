@@ -6,12 +6,15 @@ import pytest
 
 from rlswaim.edition.equations_as_printed import as_tex, digits, rows, template, with_numbers
 from rlswaim.edition.further_rows import entries, further_rows
+from rlswaim.edition.tables_as_printed import printed_table
 from rlswaim.source.equations import PLACE, parse, templates
 from rlswaim.source.tables import half_unit, read_table
 
-UNNUMBERED = ("37a", "39a", "40a", "41a", "46a", "75a", "84a", "87a", "125a", "133a", "135a", "136a")
+UNNUMBERED = ("37a", "37b", "39a", "40a", "41a", "46a", "75a", "84a", "87a", "125a", "133a", "135a", "136a")
 PLACES = {key: found.entries for key, found in templates().items()}
-MARK = re.compile(r"(-?)\\class\{printed (verdict-[a-z-]+) entry-([^}]+)\}\{(-?)((?:[^{}]|\{[^{}]*\})+)\}")
+MARK = re.compile(
+    r"(-?)\\class\{printed (verdict-[a-z-]+) kind-[a-z]+ entry-([^}]+)\}\{(-?)((?:[^{}]|\{[^{}]*\})+)\}"
+)
 # A factor s of Eqs. 77 to 82 stands for a root: there is no digit to mark.
 WITHOUT_A_DIGIT = {f"eq{number}-origin-root" for number in range(77, 83)}
 
@@ -29,7 +32,7 @@ def text(tex: str) -> str:
 def test_all_137_equations_are_there_in_order():
     assert [key for key in templates() if key.isdigit()] == [str(n) for n in range(1, 138)]
     assert tuple(key for key in templates() if not key.isdigit()) == UNNUMBERED
-    numbers = [int(key.rstrip("a")) for key in templates()]
+    numbers = [int(key.rstrip("ab")) for key in templates()]
     assert numbers == sorted(numbers)
 
 
@@ -114,7 +117,7 @@ def test_a_number_is_the_ledger_s_digit_by_digit(key):
 
 
 def test_signs():
-    mark = r"\class{printed verdict-rounding entry-eq38-Z_q1}{%s}"
+    mark = r"\class{printed verdict-rounding kind-result entry-eq38-Z_q1}{%s}"
     places = "".join(rf"\{place}{{eq38-Z_q1}}" for place in ("printed", "turned", "plus", "minus"))
     written = [with_numbers(place) for place in re.findall(r"\\\w+\{[^}]+\}", places)]
     assert rows()["eq38-Z_q1"]["printed"] == "-4.682"
@@ -149,6 +152,27 @@ def test_a_note_may_run_over_lines():
         ("7", "x = y", "One line and another."),
         ("8", "z", ""),
     ]
+
+
+# ---- the tables
+
+
+def test_every_row_of_a_table_stands_in_it_once():
+    for number in ("1", "2", "3"):
+        shown = printed_table(number).entries
+        below = PLACES["37b"] if number == "2" else ()
+        own = {entry for entry in rows() if entry.startswith(f"tab{number}-")} - {"tab1-l_CG"}
+        assert len(shown) == len(set(shown))
+        assert {*shown, *below} == own
+
+
+def test_tables_have_the_report_s_shape():
+    assert [len(printed_table(n).lines) for n in (1, 2, 3)] == [12, 12, 12]
+    for number in (1, 2, 3):
+        found = printed_table(number)
+        assert {len(line) for line in found.lines} == {len(found.heads)}
+    with pytest.raises(ValueError, match="table"):
+        printed_table(4)
 
 
 # ---- rows that the ledger lacked, and what kind each row is

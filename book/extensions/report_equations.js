@@ -56,7 +56,8 @@
 
   /** Fills the card with a row of the ledger. @param {string} entry @param {any} data */
   function fill(entry, data) {
-    const [where, quantity, printed, computed, unit, difference, verdict, reason] = data.rows[entry];
+    const [where, quantity, printed, computed, unit, difference, verdict, reason, kind, first] =
+      data.rows[entry];
     const of = unit === '1' || unit === '-' ? '' : ` ${unit}`;
     const list = element('div', '', 'printed-pair');
     const off = difference === '' ? '' : ` (${difference} %)`;
@@ -74,6 +75,8 @@
       element('p', verdict, 'printed-verdict'),
     );
     if (data.reasons[reason]) card.append(element('p', data.reasons[reason]));
+    if (kind === 'given') card.append(element('p', 'Data or a choice of the report: it agrees by itself.'));
+    if (first) card.append(element('p', `The same number again: row ${first} judges it.`));
     card.append(row);
     card.dataset.entry = entry;
     card.style.setProperty(

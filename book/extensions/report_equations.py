@@ -1,7 +1,8 @@
-"""Set the report's equations with a verdict on each printed number, and a card that tells its ledger row.
+"""Set the report's equations and tables with a verdict on each number, and a card that tells its ledger row.
 
 ``:::{report-equation} 38`` and ``:::`` set Eq. 38, numbered (38) and labelled ``eq-38``.  Several numbers
 set several equations; ``46a`` sets what the report prints below Eq. 46 without a number.
+``:::{report-table} 1`` and ``:::`` set Table 1 as the report lays it out, labelled ``tab-1``.
 ``:::{verdict-legend}`` and ``:::`` list the marks.
 
 The card's script and style are served with the book from its own files; what the cards say is written
@@ -20,9 +21,10 @@ from sphinx.application import Sphinx
 from sphinx.directives.patches import MathDirective
 from sphinx.util.docutils import SphinxDirective
 
-from rlswaim.edition.equations_as_printed import as_tex, slug, template
+from rlswaim.edition.equations_as_printed import as_tex, classes, kinds, slug, template
 from rlswaim.edition.further_rows import entries
 from rlswaim.edition.ledger import VERDICTS, Entry, table
+from rlswaim.edition.tables_as_printed import printed_table, row_of
 
 HERE = Path(__file__).parent
 FILES = ("report_equations.js", "report_equations.css")
@@ -59,6 +61,49 @@ class ReportEquation(SphinxDirective):
         return [*math, *note]
 
 
+class ReportTable(SphinxDirective):
+    """A table of the report, by its number."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """Run the directive."""
+        try:
+            found = printed_table(self.arguments[0])
+        except ValueError as wrong:
+            raise self.error(str(wrong)) from None
+        name = f"tab-{self.arguments[0]}"
+        group = nodes.tgroup("", cols=len(found.heads))
+        group += [nodes.colspec(colwidth=1) for _ in found.heads]
+        group += nodes.thead("", nodes.row("", *[nodes.entry("", _head(head)) for head in found.heads]))
+        lines = [nodes.row("", *[nodes.entry("", _cell(cell)) for cell in line]) for line in found.lines]
+        group += nodes.tbody("", *lines)
+        table = nodes.table("", nodes.title("", found.caption), group, names=[name], classes=["report-table"])
+        self.set_source_info(table)
+        self.state.document.note_explicit_target(table)
+        return [table]
+
+
+def _head(text: str) -> nodes.paragraph:
+    """Return a column's head; TeX stands between dollars."""
+    parts = text.split("$")
+    inner = [nodes.math("", part) if i % 2 else nodes.Text(part) for i, part in enumerate(parts) if part]
+    return nodes.paragraph("", "", *inner)
+
+
+def _cell(cell: str) -> nodes.paragraph:
+    """Return a cell: a printed number with its mark, or a text."""
+    row = row_of(cell)
+    if row is None:
+        return nodes.paragraph("", cell)
+    mantissa, _, power = row["printed"].partition("e")
+    number = nodes.inline("", classes=classes(cell))
+    number += nodes.Text(f"{mantissa} × 10" if power else mantissa)
+    if power:
+        number += nodes.superscript("", power)
+    return nodes.paragraph("", "", number)
+
+
 class VerdictLegend(SphinxDirective):
     """The marks of the eight verdicts, side by side."""
 
@@ -71,10 +116,13 @@ class VerdictLegend(SphinxDirective):
 
 
 def card_data(rows: list[Entry]) -> str:
-    """Return the script with what the cards say: cells of each row by id, each reason written once."""
+    """Return the script with what the cards say: cells, kind and first print by id; each reason once."""
     shown = table(rows)
     reasons = list(dict.fromkeys(shown["why"]))
-    cells = {name: [*row[:-1], reasons.index(row[-1])] for name, *row in shown[[*CELLS]].itertuples()}
+    cells = {
+        name: [*row[:-1], reasons.index(row[-1]), kinds()[name]["kind"], kinds()[name]["of"]]
+        for name, *row in shown[[*CELLS]].itertuples()
+    }
     data = json.dumps({"rows": cells, "reasons": reasons}, ensure_ascii=False, separators=(",", ":"))
     return f"window.rlswaimPrintedNumbers = {data};\n"
 
@@ -91,6 +139,7 @@ def write(app: Sphinx, exception: Exception | None) -> None:
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the directives with Sphinx, and script and style with every page."""
     app.add_directive("report-equation", ReportEquation)
+    app.add_directive("report-table", ReportTable)
     app.add_directive("verdict-legend", VerdictLegend)
     app.connect("build-finished", write)
     app.add_css_file("report_equations.css")

@@ -1,7 +1,7 @@
 r"""The report's equations as the report prints them, each printed number marked with its verdict.
 
 A template of `rlswaim.source.equations` becomes TeX for MathJax.  Each number comes from the
-ledger's table and is wrapped in ``\class{printed verdict-... entry-...}{...}``; the book's script
+ledger's table and is wrapped in ``\class{printed verdict-... kind-... entry-...}{...}``; the book's script
 turns ``entry-<id>`` into the attribute ``data-entry="<id>"``, and its style draws the verdict.
 """
 
@@ -13,6 +13,16 @@ from rlswaim.source.tables import Row, read_table
 
 TABLES = ("printed", "printed_more")
 """The ledger's table, and the rows that are to join it."""
+
+
+@cache
+def kinds() -> dict[str, Row]:
+    """Return ``kind`` (result, given or reprint) and ``of`` (the row of the first print) of each row, by id.
+
+    Given are data and choices of the report; they agree by themselves.  A reprint is the same number
+    again, but for its sign.  All others are results.
+    """
+    return {row["id"]: row for row in read_table("kinds")}
 
 
 @cache
@@ -65,9 +75,13 @@ def slug(verdict: str) -> str:
     return f"verdict-{verdict.replace(' ', '-')}"
 
 
-def marked(row: Row, tex: str) -> str:
-    """Return ``tex``, a printed number, marked with the verdict and the id of its ledger ``row``."""
-    return rf"\class{{printed {slug(row['verdict'])} entry-{row['id']}}}{{{tex}}}"
+def classes(entry: str) -> list[str]:
+    """Return the classes of a printed number on the page: verdict, kind and the id of its row."""
+    return ["printed", slug(rows()[entry]["verdict"]), f"kind-{kinds()[entry]['kind']}", f"entry-{entry}"]
+
+
+def _marked(entry: str, tex: str) -> str:
+    return rf"\class{{{' '.join(classes(entry))}}}{{{tex}}}"
 
 
 def _set(match: re.Match[str]) -> str:
@@ -75,8 +89,8 @@ def _set(match: re.Match[str]) -> str:
     place, row = match[1], rows()[match[2]]
     negative = row["printed"].startswith("-") != (place in ("turned", "minus"))
     if place in ("plus", "minus"):
-        return ("-" if negative else "+") + marked(row, digits(row["printed"]))
-    return marked(row, ("-" if negative else "") + digits(row["printed"]))
+        return ("-" if negative else "+") + _marked(row["id"], digits(row["printed"]))
+    return _marked(row["id"], ("-" if negative else "") + digits(row["printed"]))
 
 
 def with_numbers(tex: str) -> str:
