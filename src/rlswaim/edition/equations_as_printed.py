@@ -76,7 +76,7 @@ def slug(verdict: str) -> str:
 
 
 def classes(entry: str) -> list[str]:
-    """Return the classes of a printed number on the page: verdict, kind and the id of its row."""
+    """Return the classes on the page of the number of row ``entry``: its verdict, its kind and the id."""
     return ["printed", slug(rows()[entry]["verdict"]), f"kind-{kinds()[entry]['kind']}", f"entry-{entry}"]
 
 

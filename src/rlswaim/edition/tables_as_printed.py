@@ -67,7 +67,7 @@ TABLES: dict[str, Callable[[], PrintedTable]] = {"1": _masses, "2": _modes, "3":
 
 
 def printed_table(number: str | int) -> PrintedTable:
-    """Return Table 1, 2 or 3 of the report.
+    """Return the table of the report with this ``number``: 1, 2 or 3.
 
     Raises
     ------
