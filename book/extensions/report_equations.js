@@ -180,6 +180,7 @@
       numbers[at].scrollIntoView({ block: 'nearest', inline: 'nearest' });
       show(numbers[at]);
     });
+    frame.querySelector('mjx-container')?.setAttribute('tabindex', '-1'); // MathJax makes it a tab stop, too
     frame.before(button);
   }
 
