@@ -124,7 +124,7 @@ def card_data(rows: list[Entry]) -> str:
         for name, *row in shown[[*CELLS]].itertuples()
     }
     data = json.dumps({"rows": cells, "reasons": reasons}, ensure_ascii=False, separators=(",", ":"))
-    return f"window.rlswaimPrintedNumbers = {data};\n"
+    return f"export default {data};\n"
 
 
 def write(app: Sphinx, exception: Exception | None) -> None:
@@ -143,5 +143,5 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("verdict-legend", VerdictLegend)
     app.connect("build-finished", write)
     app.add_css_file("report_equations.css")
-    app.add_js_file("report_equations.js", loading_method="defer")
+    app.add_js_file("report_equations.js", type="module")
     return {"parallel_read_safe": True, "parallel_write_safe": True}
