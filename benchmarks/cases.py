@@ -4,7 +4,8 @@ import control
 import numpy as np
 
 import rlswaim as rl
-from rlswaim.loops.closures import closure_3, final_design
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.loops.closures import closure_3_open_loop
 from rlswaim.loops.transfer_functions import theta_loop
 
 
@@ -28,6 +29,6 @@ def loops():
     design, kK_z = final_design()
     return {
         "Section IV, order 8": theta_loop(eqs, K_C=10, K_R=0.618, gyro=60),
-        "Section VII, order 9": closure_3(eqs, design, kK_z, K_C=1, K_R=0.286),
+        "Section VII, order 9": closure_3_open_loop(eqs, design, kK_z, K_C=1, K_R=0.286),
         **{f"random, order {n}": random_loop(n) for n in (8, 14, 20)},
     }

@@ -48,8 +48,8 @@ finished drawing: a view draws before the key's event is over, and the browser s
 every 16.7 ms. "Compute and draw" is that part of it which is the view's own. The usual way,
 `interactive_output` with `control.root_locus_plot` through a real kernel, takes {usual:.0f} ms (median; 95
 percent within {usual_95:.0f} ms) from a slider's message to the picture's, the browser's own work not
-counted; the ratio is that median over ours. The widget runtime has {runtime:.0f} kB gzipped, for the whole
-book.
+counted; the ratio is that median over ours. The scripts of widgets and views have {runtime:.0f} kB
+gzipped together, for the whole book.
 
 | view | key to picture (ms) | 95 % | compute and draw (ms) | 95 % | tasks over 50 ms | ratio |
 |---|---:|---:|---:|---:|---:|---:|

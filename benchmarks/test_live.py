@@ -83,13 +83,15 @@ def dragged(page, handle):
 
 
 def weights(path):
-    """Return the gzipped sizes (kB) of a page's own data and code, and of the widget runtime."""
+    """Return the gzipped sizes (kB) of a page's own data, and of what all pages with views share."""
     text = path.read_text(encoding="utf-8")
     states = re.findall(
         r'<script type="application/vnd.jupyter.widget-state\+json">(.*?)</script>', text, re.S
     )
-    runtime = (HTML / "_static" / "rlswaim-widgets.js").read_bytes()
-    return [len(gzip.compress(part)) / 1e3 for part in ("".join(states).encode(), runtime)]
+    names = ("rlswaim-widgets.js", "rlswaim-views.js", "rlswaim-views.css")
+    shared = [HTML / "_static" / name for name in names]
+    parts = ["".join(states).encode(), b"".join(path.read_bytes() for path in shared)]
+    return [len(gzip.compress(part)) / 1e3 for part in parts]
 
 
 @pytest.mark.parametrize("page_name", PAGES)

@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 import rlswaim as rl
 from cases import loops
 from exact import off_the_polyline
-from rlswaim.figures.redraw import LocusPicture
-from rlswaim.loops.closures import final_design
+from redraw import LocusPicture
+from rlswaim.edition.printed_closures import final_design
 from rlswaim.loops.station_maps import station_map
 from rlswaim.rootlocus import fast
 from rlswaim.rootlocus.adaptive_gains import default_axes

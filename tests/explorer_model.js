@@ -1,24 +1,38 @@
 // Stands in for the notebook: loads the views' one module and gives it a model with get, set and on.
+/** @param {[string, string, Record<string, unknown>]} given code, style sheet and traits */
 async ([code, css, state]) => {
   const address = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
   const module = await import(address);
+  /** @type {Record<string, (() => void)[]>} */
   const listeners = {};
   const model = {
+    /** @param {string} name */
     get: (name) => state[name],
+    /** @param {string} name @param {unknown} value */
     set(name, value) {
       if (state[name] === value) return;
       state[name] = value;
       for (const act of [...(listeners[`change:${name}`] ?? [])]) act();
     },
     save_changes() {},
-    on: (event, act) => (listeners[event] ??= []).push(act),
-    off: (event, act) => (listeners[event] = listeners[event].filter((other) => other !== act)),
+    /** @param {string} event @param {() => void} act */
+    on(event, act) {
+      listeners[event] = [...(listeners[event] ?? []), act];
+    },
+    /** @param {string} event @param {() => void} act */
+    off(event, act) {
+      listeners[event] = listeners[event].filter((other) => other !== act);
+    },
   };
   document.head.append(Object.assign(document.createElement('style'), { textContent: css }));
   const el = document.createElement('div');
   document.body.append(el);
   const drawn = () =>
-    new Promise((done) => el.addEventListener('rlswaim:drawn', (e) => done(e.detail), { once: true }));
+    new Promise((done) =>
+      el.addEventListener('rlswaim:drawn', (e) => done(/** @type {CustomEvent} */ (e).detail), {
+        once: true,
+      }),
+    );
   Object.assign(globalThis, { module, model, drawn, el, state });
   const first = drawn();
   module.default.initialize({ model });

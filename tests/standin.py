@@ -8,6 +8,7 @@ import numpy as np
 from playwright.sync_api import Browser, Page
 from scipy.optimize import linear_sum_assignment
 
+import rlswaim.explorers
 from rlswaim.explorers import Explorer
 
 SITE = "http://view.test/"
@@ -26,8 +27,15 @@ def model_state(explorer: Explorer) -> dict:
     return {**explorer.values(), **places, "magnify": explorer.magnify, "payload": explorer.payload}
 
 
+SCRIPTS = Path(rlswaim.explorers.__file__).parent / "js"
+
+
 def go_to_empty_page(page: Page, address: str = SITE) -> None:
-    """Open an empty page that has an address, as a view on about:blank has none to write."""
+    """Open an empty page that has an address, as a view on about:blank has none to write.
+
+    The scripts of the views are there one by one: the page may import "/js/maths/roots.js".
+    """
+    page.route(f"{SITE}js/**", lambda route: route.fulfill(path=SCRIPTS / route.request.url.split("/js/")[1]))
     blank = "<!doctype html><title>view</title>"
     page.route(SITE, lambda route: route.fulfill(body=blank, content_type="text/html"))
     page.goto(address)

@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 
 import rlswaim as rl
-from rlswaim.edition import conclusions, conditioning, robustness, table_3_readings
-from rlswaim.loops import certificates, closures, family, transfer_functions
+from rlswaim.edition import conclusions, conditioning, printed_closures, robustness, table_3, table_3_readings
+from rlswaim.loops import certificates, closed_loops, closures, named_branches, transfer_functions
+from rlswaim.loops.control_systems import DUAL_ACTUATION
+from rlswaim.vehicle import coupling
+from rlswaim.vehicle.equations import with_reading
 from systems import LOOPS, closed_loop
 
 NOT_NUMBERS = {
@@ -181,13 +184,14 @@ def test_the_thrust_point_must_lie_on_the_vehicle():
 
 
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_there_are_two_modes(count):
+def test_there_are_as_many_coefficients_as_the_modes_ask_for(eqs, count):
     modes = (rl.swaim_booster().modes * 2)[:count]
-    refused(ValueError, lambda: replace(rl.swaim_booster(), modes=modes), "modes")
+    refused(ValueError, lambda: replace(eqs, modes=modes), "coefficients", "name")
 
 
 @pytest.mark.parametrize(
-    ("field", "bad"), [("q_D", -1.0), ("U", 0.0), ("U", -1860.0), ("t", -1.0), ("h", np.nan)]
+    ("field", "bad"),
+    [("q_D", -1.0), ("U", 0.0), ("U", -1860.0), ("t", -1.0), ("h", np.nan), ("gamma_0", np.inf)],
 )
 def test_a_flight_condition_must_be_possible(field, bad):
     refused(ValueError, lambda: replace(rl.swaim_booster().flight, **{field: bad}), field, "FlightCondition")
@@ -245,6 +249,16 @@ def test_a_station_must_be_a_number(bad):
 
 
 # ---- the equations
+
+
+@pytest.mark.parametrize("mode", [-1, 0, 3])
+def test_a_sum_over_the_surfaces_is_of_a_mode_of_the_vehicle(mode):
+    refused(ValueError, lambda: coupling.surface_sums(rl.swaim_booster(), mode), "mode", str(mode))
+
+
+def test_no_mode_couples_with_nothing():
+    rigid = rl.perturbation_equations(replace(rl.swaim_booster(), modes=()))
+    refused(ValueError, lambda: coupling.partition(rigid), "modes")
 
 
 def test_coefficients_must_be_the_report_s_28(eqs):
@@ -340,25 +354,25 @@ def test_a_parameter_passes_the_system_s_own_complaint_on(eqs):
 
 # ---- the loops beside the control systems: polynomials, the jet, many loops at once
 
-JET, KK_Z = closures.final_design()
+JET, KK_Z = printed_closures.final_design()
 FOUND = conclusions.found_gains("dual_actuation")
 ATTITUDE = {"K_A": 1.0, "K_C": 10.0, "K_R": 0.6}
 
 
 def many(**changes):
-    """Return the loop found by hand as a column of one, for `state_matrices`."""
+    """Return the loop found by hand as columns of one, for `ControlledVehicle.matrices`."""
     return {name: np.array([float(value)]) for name, value in (FOUND | changes).items()}
 
 
 OF_A_NUMBER = {
-    "K_r": lambda eqs, x: closures.closed_1(eqs, JET._replace(K_r=x), KK_Z),
-    "b": lambda eqs, x: closures.closure_1(eqs, JET._replace(b=x)),
-    "kK_z": lambda eqs, x: closures.closure_2(eqs, JET, x),
+    "K_r": lambda eqs, x: closures.closure_1_polynomial(eqs, JET._replace(K_r=x), KK_Z),
+    "b": lambda eqs, x: closures.closure_1_open_loop(eqs, JET._replace(b=x)),
+    "kK_z": lambda eqs, x: closures.closure_2_open_loop(eqs, JET, x),
     "kK_z of theta": lambda eqs, x: closures.theta_numerator(eqs, JET, x),
-    "kK_z of a fit": lambda eqs, x: closures.fitted_deflections(eqs, JET, x),
-    "largest": lambda eqs, x: closures.gains_to(x, 5),
+    "kK_z of a fit": lambda eqs, x: printed_closures.fitted_deflections(eqs, JET, x),
+    "largest": lambda eqs, x: table_3.gains_to(x, 5),
     "b of a sensor": lambda eqs, x: transfer_functions.displacement_numerator(eqs, 140.0, x),
-    "K_C": transfer_functions.open_loop_parts,
+    "K_C": named_branches.open_loop_parts,
     "K_R": lambda eqs, x: transfer_functions.theta_loop(eqs, 10.0, x, 60.0),
     "K_z": lambda eqs, x: transfer_functions.denominator(eqs, 10.0, [(x, 140.0)]),
     "gain": lambda eqs, x: transfer_functions.closed_polynomial(PLANT, x),
@@ -370,23 +384,23 @@ OF_A_NUMBER = {
     "within": lambda eqs, x: table_3_readings.readings(eqs, (), within=x),
     "least": lambda eqs, x: table_3_readings.readings(eqs, (), least=x),
     "phi": lambda eqs, x: table_3_readings.starting_rates(eqs, JET, [[1.0, 1.0, 1.0, x]]),
-    "K_A": lambda eqs, x: family.state_matrices(eqs, many(K_A=x)),
-    "K_R of a polynomial": lambda eqs, x: family.determinants(eqs, "rigid_angle", ATTITUDE | {"K_R": x}),
-    "pole of a pair": lambda eqs, x: family.with_pair(eqs, many(), complex(x, 1.0)),
+    "K_A": lambda eqs, x: DUAL_ACTUATION.around(eqs).matrices(**many(K_A=x)),
+    "K_R of a polynomial": lambda eqs, x: closed_loops.polynomial(eqs, "rigid_angle", ATTITUDE | {"K_R": x}),
+    "pole of a pair": lambda eqs, x: DUAL_ACTUATION.around(eqs).with_pair(many(), complex(x, 1.0)),
     "K_A of a margin": lambda eqs, x: robustness.margins(eqs, FOUND | {"K_A": x}, "jet"),
     "alpha_0": conclusions.with_longitudinal,
 }
 OF_A_STATION = {
-    "sensor of a jet": lambda eqs, x: closures.closed_1(eqs, JET._replace(sensor=x), KK_Z),
-    "jet": lambda eqs, x: closures.closed_1(eqs, JET._replace(jet=x), KK_Z),
+    "sensor of a jet": lambda eqs, x: closures.closure_1_polynomial(eqs, JET._replace(sensor=x), KK_Z),
+    "jet": lambda eqs, x: closures.closure_1_polynomial(eqs, JET._replace(jet=x), KK_Z),
     "jet of a coupling": lambda eqs, x: closures.coupling_numerator(eqs, "theta", "q1", x),
-    "reading": lambda eqs, x: closures.with_reading(eqs, x, (1.0, 1.0)),
+    "reading": lambda eqs, x: with_reading(eqs, x, (1.0, 1.0)),
     "displacement": transfer_functions.displacement_numerator,
     "attitude": transfer_functions.attitude_numerator,
     "gyro": certificates.gain_terms,
     "sensor": lambda eqs, x: certificates.stability_certificate(eqs, None, [x]),
-    "many sensors": lambda eqs, x: family.state_matrices(eqs, many(sensor=x)),
-    "many jets": lambda eqs, x: family.state_matrices(eqs, many(jet=x)),
+    "many sensors": lambda eqs, x: DUAL_ACTUATION.around(eqs).matrices(**many(sensor=x)),
+    "many jets": lambda eqs, x: DUAL_ACTUATION.around(eqs).matrices(**many(jet=x)),
 }
 
 
@@ -402,7 +416,7 @@ def test_a_loop_s_station_must_lie_on_the_vehicle(eqs, name, bad):
     refused(ValueError, lambda: OF_A_STATION[name](eqs, bad), f"{bad:g} ft", "0 to 420 ft")
 
 
-@pytest.mark.parametrize("call", [family.closed_loop, family.determinants])
+@pytest.mark.parametrize("call", [closed_loops.state_space, closed_loops.polynomial])
 def test_a_loop_must_be_known_and_have_its_gains(eqs, call):
     refused(ValueError, lambda: call(eqs, "triple_sensor", ATTITUDE), "system", "two_sensor")
     with pytest.raises(TypeError, match="K_R"):
@@ -412,11 +426,20 @@ def test_a_loop_must_be_known_and_have_its_gains(eqs, call):
 
 
 def test_what_else_a_loop_needs(eqs):
-    refused(TypeError, lambda: family.state_matrices(eqs, {"K_A": [1.0], "K_C": [1.0]}), "K_R")
-    refused(ValueError, lambda: family.with_pair(eqs, many(), -1.0), "pole", "with_pair")
+    loops = DUAL_ACTUATION.around(eqs)
+    refused(TypeError, lambda: loops.matrices(**{**many(), "K_Q": [1.0]}), "K_Q")
+    lacking = {name: value for name, value in many().items() if name != "K_R"}
+    refused(TypeError, lambda: loops.matrices(**lacking), "K_R")
+    refused(ValueError, lambda: loops.family.matrices({"K_A": 1.0}), "Family.matrices", "K_C")
+    refused(ValueError, lambda: loops.with_pair(many(), -1.0), "pole", "with_pair")
     refused(ValueError, lambda: robustness.margins(eqs, FOUND, "fins"), "actuator", "thrust, jet")
     refused(ValueError, lambda: conclusions.found_gains("fins"), "system", "dual_actuation")
     refused(ValueError, lambda: closures.coupling_numerator(eqs, "q3", "q1", 56.0), "output")
     refused(ValueError, lambda: table_3_readings.starting_rates(eqs, JET, np.ones((2, 3))), "phi", "(2, 4)")
     refused(ValueError, lambda: certificates.slow_root_certificate(eqs, 60.0, slow=-1.0), "slow")
-    refused(TypeError, lambda: conditioning.family(None, lambda e: e), "eqs", "PerturbationEquations")
+    refused(
+        TypeError,
+        lambda: conditioning.loop_in_coefficients(None, lambda e: e),
+        "eqs",
+        "PerturbationEquations",
+    )

@@ -10,7 +10,7 @@ from matplotlib import pyplot as plt
 from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
-from rlswaim.edition import conditioning
+from rlswaim.edition import conditioning, printed_closures
 from rlswaim.edition.conclusions import closed_loop
 from rlswaim.figures.conditioning import draw_sensitivities
 from rlswaim.loops import closures
@@ -20,8 +20,8 @@ from rlswaim.vehicle.equations import COEFFICIENTS
 
 EQS = rl.printed_equations()
 LOOPS = conditioning.printed_loops(EQS)
-TABLE = conditioning.table(LOOPS)
-JET, KK_Z = closures.final_design()
+TABLE = conditioning.root_spreads(LOOPS)
+JET, KK_Z = printed_closures.final_design()
 
 
 def figure_8(eqs):
@@ -33,7 +33,7 @@ POLYNOMIALS = {
     "Eq. 41": lambda eqs: eqs.characteristic_polynomial()[1:],
     "Eq. 92, zeros": lambda eqs: eqs.numerator("theta", "delta")[:6],
     "Figure 8": figure_8,
-    "closure 1": lambda eqs: closures.closed_1(eqs, JET, KK_Z)[1:],
+    "closure 1": lambda eqs: closures.closure_1_polynomial(eqs, JET, KK_Z)[1:],
     "closure 2": lambda eqs: closures.theta_numerator(eqs, JET, KK_Z)[:7],
 }
 """The same roots by determinants, which share no line with the state matrices."""
@@ -116,7 +116,9 @@ def test_unstable_root_moves_by_a_fifth_of_each_coefficient():
 
 
 def test_loop_that_works_stays_stable_within_the_digits():
-    works = conditioning.table({"it": conditioning.family(EQS, lambda e: closed_loop(e, "dual_actuation"))})
+    works = conditioning.root_spreads(
+        {"it": conditioning.loop_in_coefficients(EQS, lambda e: closed_loop(e, "dual_actuation"))}
+    )
     assert (works.right == 0).all()
     assert works.spread.max() == pytest.approx(0.057, abs=0.003)
     assert works.spread.nsmallest(len(works) - 1).max() < 0.002

@@ -1,28 +1,30 @@
-"""What holds for the code as text: which way imports point, types, style, documented arguments."""
+"""What holds for the code as text: which way imports point, types, style, bounds, documented arguments."""
 
+import ast
 import importlib
 import inspect
 import pkgutil
-import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
+from numpydoc.docscrape import NumpyDocString
 from numpydoc.validate import validate
 
 import rlswaim
 
 ROOT = Path(__file__).parent.parent
-SAME_EVERYWHERE = {
-    "ax": "the matplotlib axes that are drawn on and returned",
-    "booster": "a Booster",
-    "eqs": "PerturbationEquations",
-    "loop": "an open loop, as python-control or this package has it",
-    "K_A K_C K_R K_z K_za K_zb kK_z K_r b gyro sensor jet": "gains and stations: see the notation page",
-    "what where": "in checks: the name of a value, and of the place that it was given to",
-}
-"""Arguments that mean the same wherever they stand: documented once in full, elsewhere by their type."""
+FOLDERS = ("src", "tests", "benchmarks", "book")
+FILES = sorted(
+    path for name in FOLDERS for path in (ROOT / name).rglob("*.py") if "widgets" not in path.parts
+)
+LONGEST_FUNCTION, LONGEST_FILE = 40, 300
+FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+CONTRACTS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]
+(ROOMS,) = [contract["layers"] for contract in CONTRACTS["contracts"] if contract["type"] == "layers"]
+"""The rooms, each of which imports only those behind it."""
 
 
 def modules():
@@ -61,11 +63,11 @@ def run(*command):
 
 
 def test_ruff_finds_nothing():
-    run("ruff", "check", "src", "tests", "benchmarks", "book/extensions")
+    run("ruff", "check", *FOLDERS)
 
 
 def test_code_is_formatted():
-    run("ruff", "format", "--check", "src", "tests", "benchmarks", "book/extensions")
+    run("ruff", "format", "--check", *FOLDERS)
 
 
 def test_types():
@@ -87,24 +89,61 @@ def test_contract_names_are_documented_in_full(name):
     assert found == []
 
 
+def documented(name):
+    """Return the arguments that a function's Parameters block names."""
+    block = NumpyDocString(inspect.getdoc(PUBLIC[name]) or "")["Parameters"]
+    return {argument.strip(" *") for parameter in block for argument in parameter.name.split(",")}
+
+
 @pytest.mark.parametrize("name", PUBLIC)
 def test_every_argument_is_documented(name):
-    """Each argument is named in the docstring: under Parameters, or in a short function's one sentence."""
+    """Two arguments or more stand in a Parameters block; one may be named in a sentence."""
     text = inspect.getdoc(PUBLIC[name]) or ""
     assert text
-    known = {"self", "cls", *" ".join(SAME_EVERYWHERE).split(), *re.findall(r"\w+", text)}
-    assert [
-        argument for argument in inspect.signature(PUBLIC[name]).parameters if argument not in known
-    ] == []
+    arguments = [each for each in inspect.signature(PUBLIC[name]).parameters if each not in ("self", "cls")]
+    if len(arguments) > 1 or "Parameters\n---" in text:
+        assert [argument for argument in arguments if argument not in documented(name)] == []
 
 
-@pytest.mark.parametrize("name", PUBLIC)
-def test_functions_are_short(name):
-    lines = [line for line in inspect.getsource(PUBLIC[name]).splitlines() if line.strip()]
-    documented = len((inspect.getdoc(PUBLIC[name]) or "").splitlines())
-    assert len(lines) - documented <= 60
+def code_lines(function, lines):
+    """Return how many ``lines`` of a file a ``function`` of it has, without its docstring and blank ones."""
+    first, own = function.body[0], range(function.lineno, function.end_lineno + 1)
+    if ast.get_docstring(function) is not None:
+        own = [number for number in own if not first.lineno <= number <= first.end_lineno]
+    return sum(bool(lines[number - 1].strip()) for number in own)
 
 
-@pytest.mark.parametrize("name", modules())
-def test_modules_are_rooms(name):
-    assert len(inspect.getsource(modules()[name]).splitlines()) <= 400
+@pytest.mark.parametrize("path", FILES, ids=[str(path.relative_to(ROOT)) for path in FILES])
+def test_functions_and_files_are_short(path):
+    """Every function, private and nested ones too; ruff checks the lines."""
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    assert len(lines) <= LONGEST_FILE
+    nodes = [node for node in ast.walk(ast.parse(text)) if isinstance(node, FUNCTIONS)]
+    lengths = {f"{node.name}, line {node.lineno}": code_lines(node, lines) for node in nodes}
+    assert {name: length for name, length in lengths.items() if length > LONGEST_FUNCTION} == {}
+
+
+def imported(path):
+    """Return the rooms that a module imports, inside of its functions too."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return {name.split(".")[1] for name in names if name.startswith("rlswaim.")}
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_only_rooms_behind_it(room):
+    """Import-linter's contract says the same; this reads the text of each file."""
+    behind = ROOMS[ROOMS.index(room) :]
+    found = {path.name: imported(path) for path in (ROOT / "src" / "rlswaim" / room).rglob("*.py")}
+    assert found
+    assert {name: rooms - set(behind) for name, rooms in found.items() if rooms - set(behind)} == {}
+
+
+def test_every_module_has_a_room():
+    flat = {path.name for path in (ROOT / "src" / "rlswaim").iterdir() if path.name != "__pycache__"}
+    assert flat == {*ROOMS, "__init__.py"}

@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rlswaim as rl
-from rlswaim.edition.coefficients import as_markdown, coefficient_table, mirrored_damping
+from pages import show
+from rlswaim.edition.ledger import coefficient_frame
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle import coupling
 from rlswaim.vehicle.equations import COEFFICIENTS
@@ -110,13 +111,15 @@ def test_gust_turns_the_rigid_body_into_the_wind_and_makes_the_flexible_one_dive
     assert rigid[-1] < 0 < one[-1] < two[-1]
 
 
-def test_coefficient_table_has_every_coefficient():
-    table = coefficient_table()
+def test_coefficient_frame_has_every_coefficient():
+    table = coefficient_frame()
     assert tuple(table.index) == COEFFICIENTS
-    assert as_markdown(table).count("\n") == len(COEFFICIENTS) + 1
+    assert show(table).data.count("\n") == len(COEFFICIENTS) + 1
 
 
 def test_cross_dampings_mirror_each_other():
     c = rl.perturbation_equations(BOOSTER).coefficients
-    assert mirrored_damping(BOOSTER, c["F2_q1dot"]) == pytest.approx(c["F1_q2dot"])
-    assert mirrored_damping(BOOSTER, PRINTED.coefficients["F2_q1dot"]) == pytest.approx(-0.0530, abs=1e-4)
+    assert coupling.mirrored_damping(BOOSTER, c["F2_q1dot"]) == pytest.approx(c["F1_q2dot"])
+    assert coupling.mirrored_damping(BOOSTER, PRINTED.coefficients["F2_q1dot"]) == pytest.approx(
+        -0.0530, abs=1e-4
+    )

@@ -8,12 +8,14 @@ from numpy.polynomial import polynomial as npp
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim.edition import conclusions
+from rlswaim.edition import causes, conclusions, matching, printed_closures, table_3
 from rlswaim.loops import closures
+from rlswaim.loops.transfer_functions import elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
+from rlswaim.vehicle.equations import with_reading
 
 EQS = rl.printed_equations()
-LOOP, KK_Z = closures.final_design()
+LOOP, KK_Z = printed_closures.final_design()
 ROWS = [entry for entry in rl.ledger() if entry.section == "VII"]
 STATIONS = st.floats(0, 420)
 
@@ -41,7 +43,7 @@ def test_two_input_products_divide_by_delta(jet, other):
 def test_closures_end_at_the_state_space(sensor, jet, kK_z, K_A):
     loop = closures.JetLoop(10.0, 3.0, sensor, jet)
     polynomial = npp.polyadd(
-        npp.polymul([1.5, 1.0], closures.closed_1(EQS, loop, kK_z)),
+        npp.polymul([1.5, 1.0], closures.closure_1_polynomial(EQS, loop, kK_z)),
         1.5 * K_A * npp.polymul([1.0, 0.3], closures.theta_numerator(EQS, loop, kK_z)),
     )
     system = rl.dual_actuation(EQS, K_A=K_A, K_C=1.5, K_R=0.3, kK_z=kK_z, K_r=10, b=3, sensor=sensor, jet=jet)
@@ -55,12 +57,12 @@ def test_closures_end_at_the_state_space(sensor, jet, kK_z, K_A):
 def test_braces_of_eq_133_give_both_numerators(sensor, jet):
     phi_z, phi_r = ([m.deflection(x) for m in EQS.modes] for x in (sensor, jet))
     braces = np.einsum("nij,i,j", closures.literal_bracket(EQS), phi_z, [1, jet - EQS.l_CG, *phi_r])
-    numerator = closures.elastic_numerator(EQS, "delta_r", closures.JetLoop(10.0, 3.0, sensor, jet))
+    numerator = elastic_numerator(EQS, sensor, "delta_r", jet)
     assert np.allclose(braces, 1000 * EQS.U * numerator[1:6], rtol=1e-9, atol=1e-9)
 
 
 def test_eq_135_is_the_numerator_of_alpha():
-    printed = closures.printed_factors("eq135-")
+    printed = printed_closures.printed_factors("eq135-")
     wanted = [0.0, *printed, *(z.conjugate() for z in printed if z.imag)]
     assert worst(roots(closures.jet_numerator(EQS, LOOP, as_printed=True)[:7]), wanted) < 0.005
     assert roots(closures.jet_numerator(EQS, LOOP)).size == len(wanted) - 1
@@ -70,7 +72,7 @@ def test_eq_133_lost_one_product():
     computed = closures.literal_bracket(EQS)[:4, 0, 2]
     entries = {entry.id: entry for entry in ROWS}
     printed = np.array([entries[f"eq133-s{power}-1-F1"].value for power in range(4)])
-    assert np.abs((computed - closures.dropped_product(EQS)) / printed - 1).max() < 0.005
+    assert np.abs((computed - causes.dropped_product(EQS)) / printed - 1).max() < 0.005
     assert np.abs(computed / printed - 1).max() > 0.3
 
 
@@ -79,37 +81,37 @@ def test_jet_moment_has_two_digits_exchanged():
 
 
 def test_fitted_reading_brings_the_printed_roots():
-    printed = closures.printed_factors("text-closure1-")
+    printed = printed_closures.printed_factors("text-closure1-")
     wanted = [0.0, *printed, *(z.conjugate() for z in printed if z.imag)]
-    fitted = closures.fitted_deflections(EQS, LOOP, KK_Z)
-    vehicle = closures.with_reading(EQS, LOOP.sensor, fitted)
+    fitted = printed_closures.fitted_deflections(EQS, LOOP, KK_Z)
+    vehicle = with_reading(EQS, LOOP.sensor, fitted)
     assert [m.deflection(LOOP.sensor) for m in vehicle.modes] == pytest.approx(fitted)
-    assert worst(roots(closures.closed_1(vehicle, LOOP, KK_Z)), wanted) < 0.03
-    assert worst(roots(closures.closed_1(EQS, LOOP, KK_Z)), wanted) > 0.3
+    assert worst(roots(closures.closure_1_polynomial(vehicle, LOOP, KK_Z)), wanted) < 0.03
+    assert worst(roots(closures.closure_1_polynomial(EQS, LOOP, KK_Z)), wanted) > 0.3
 
 
 def test_closure_2_contains_delta_and_the_printed_one_does_not():
     delta = roots(EQS.characteristic_polynomial())
-    opened = closures.closure_2(EQS, LOOP, KK_Z)
+    opened = closures.closure_2_open_loop(EQS, LOOP, KK_Z)
     closed = npp.polyadd(opened.num[0][0][::-1], opened.den[0][0][::-1])
     size = npp.polyval(np.abs(delta), np.abs(closed))
     assert np.all(np.abs(npp.polyval(delta, closed)) <= 1e-10 * np.maximum(size, 1))
-    printed = np.array(closures.printed_factors("text-closure2-"))
+    printed = np.array(printed_closures.printed_factors("text-closure2-"))
     assert np.abs(printed[:, None] - delta[delta != 0]).min(axis=0).min() > 0.02
 
 
 @pytest.mark.parametrize("points", [600, 1500])
 def test_table_3(points):
-    pairs = closures.table_3(EQS, points)
+    pairs = table_3.trials(EQS, points)
     assert [p.case for p in pairs] == list(range(1, 25))
-    assert {p.case for p in pairs if p.verdict == "rises throughout"} == {1, 2, 4, 7, 11, 13, 14, 19}
+    assert {p.case for p in pairs if p.outcome == "rises throughout"} == {1, 2, 4, 7, 11, 13, 14, 19}
     assert {p.case for p in pairs if p.steadies} == {1, 4}
-    assert pairs[21].verdict == "higher at the end"
+    assert pairs[21].outcome == "higher at the end"
 
 
 @pytest.mark.parametrize("case", [21, 22, 23, 24])
 def test_last_pairs_stand_where_the_direct_effect_vanishes(case):
-    pair = closures.table_3(EQS, 5)[case - 1]
+    pair = table_3.trials(EQS, 5)[case - 1]
     near = closures.direct_response(EQS, pair.sensor + np.array([-2.5, 2.5]), np.full(2, pair.jet))
     assert near[0] * near[1] < 0
 
@@ -152,4 +154,4 @@ def test_unknown_output_is_told():
 
 
 def test_roots_as_text():
-    assert closures.listed([2, -1 + 2j, -1 - 2j]) == "-1.000 ± 2.000j, 2.000"
+    assert matching.listed([2, -1 + 2j, -1 - 2j]) == "-1.000 ± 2.000j, 2.000"

@@ -7,51 +7,50 @@ what one rounding of the coefficients' terms would do to it.
 
 import json
 import math
-import re
 from collections.abc import Iterator
 from functools import cache
 
 import control
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, Route
 from scipy.linalg import expm, matrix_balance
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
 from rlswaim.edition import section_4
-from rlswaim.explorers.control_systems import SYSTEMS, payload
+from rlswaim.explorers.control_systems import payload
 from rlswaim.explorers.presets import COMPARED, CORRECTED, corrected_designs, designs
+from rlswaim.explorers.system_views import VIEWS
 from rlswaim.loops.closures import JetLoop, theta_numerator
-from rlswaim.loops.multiaffine import multiaffine_forms, with_shapes
+from rlswaim.loops.given_shapes import with_shapes
+from rlswaim.loops.multiaffine import multiaffine_forms
 from rlswaim.rootlocus.polynomials import characteristic_polynomial, exact_characteristic_polynomial, roots
 from rlswaim.source.tables import read_table, script
 
 EQUATIONS = {"data": rl.perturbation_equations(rl.swaim_booster()), "printed": rl.printed_equations()}
 EQS = EQUATIONS["printed"]
-MODULE = "\n".join(
-    re.sub(r"^import [^;]*;\n", "", script("js", "maths", f"{name}.js"), flags=re.MULTILINE)
-    for name in ("roots", "locus", "responses", "mode_shape")
-)
+MATHS = ("closed_loop", "gain_at", "locus", "margins", "mode_shape", "open_loop", "responses")
+SCRIPTS = "http://127.0.0.1/maths/"
 VIEW = {"left": -12.0, "right": 4.0, "bottom": -1.0, "top": 13.0, "scale": 40.0, "tolerance": 0.25}
 COUNT = 1000
 EPS = np.finfo(float).eps
-sections = pytest.mark.parametrize("section", SYSTEMS)
+sections = pytest.mark.parametrize("section", VIEWS)
 
 
 @cache
 def forms(section: str, equations: str = "printed"):
-    return SYSTEMS[section].forms(EQUATIONS[equations])
+    return VIEWS[section].system.forms(EQUATIONS[equations])
 
 
 @cache
 def sent(section: str) -> dict:
     """Return the payload as the browser gets it."""
-    system, polynomial = SYSTEMS[section], forms(section).polynomial
+    view, polynomial = VIEWS[section], forms(section).polynomial
     return {
-        **json.loads(json.dumps(payload(system, EQS, forms(section)))),
+        **json.loads(json.dumps(payload(view, EQS, forms(section)))),
         "terms": [term._asdict() for term in polynomial.terms],
-        "parameters": [{"name": p.name, "grid": p.grid} for p in system.parameters(EQS)],
+        "parameters": [{"name": p.name, "grid": p.grid} for p in view.parameters(EQS)],
     }
 
 
@@ -59,14 +58,14 @@ def sent(section: str) -> dict:
 def states(section: str, count: int = COUNT, seed: int = 1964) -> list[dict]:
     """Return random places of all sliders."""
     rng = np.random.default_rng(seed)
-    parameters = SYSTEMS[section].parameters(EQS)
+    parameters = VIEWS[section].parameters(EQS)
     return [{p.name: p.grid[rng.integers(len(p.grid))] for p in parameters} for _ in range(count)]
 
 
 @cache
 def loops(section: str) -> list[control.StateSpace]:
     """Return the library's closed loops at the random states."""
-    return [SYSTEMS[section].closed_loop(EQS, **state) for state in states(section)]
+    return [VIEWS[section].closed_loop(EQS, **state) for state in states(section)]
 
 
 def presets_of(section: str) -> list[dict]:
@@ -75,8 +74,7 @@ def presets_of(section: str) -> list[dict]:
 
 def factors_at(section: str, state: dict) -> dict[str, float]:
     """Return the factors of the form at a state, as the browser takes them: straight between two feet."""
-    system = SYSTEMS[section]
-    values = {name: state[name] for name in system.gains}
+    values = {name: state[name] for name in VIEWS[section].gains}
     for factor, shape in sent(section)["shapes"].items():
         values[factor] = np.interp(state[shape["at"]], np.arange(421), shape["values"])
     if state.get("feedback") == "rigid body":
@@ -104,7 +102,7 @@ class TestForms:
     @sections
     @pytest.mark.parametrize("equations", EQUATIONS)
     def test_polynomial_and_numerators_are_those_of_the_closed_loop(self, section, equations):
-        found, system = forms(section, equations), SYSTEMS[section]
+        found, system = forms(section, equations), VIEWS[section].system
         for seed in range(4):
             values = random_factors(section, seed)
             loop = system.at_factors(EQUATIONS[equations], **values)
@@ -167,7 +165,7 @@ class TestForms:
 class TestPresets:
     @sections
     def test_values_are_all_parameters_and_on_their_sliders(self, section):
-        grids = {p.name: p.grid for p in SYSTEMS[section].parameters(EQS)}
+        grids = {p.name: p.grid for p in VIEWS[section].parameters(EQS)}
         for name, values in designs(section).items():
             assert set(values) == set(grids), name
             assert all(value in grids[parameter] for parameter, value in values.items()), name
@@ -185,7 +183,7 @@ class TestPresets:
 
     def test_printed_roots_of_section_iv_are_those_of_the_closed_loop(self):
         for preset in sent("IV")["presets"]:
-            ours = SYSTEMS["IV"].closed_loop(EQS, **preset["values"]).poles()
+            ours = VIEWS["IV"].closed_loop(EQS, **preset["values"]).poles()
             for root in preset["printed"]:
                 z = complex(root["re"], root["im"])
                 assert abs(ours - z).min() <= 0.03 * abs(z) + 1e-3, (preset["name"], z)
@@ -193,7 +191,7 @@ class TestPresets:
     @sections
     def test_printed_roots_off_ours_name_the_path_that_they_lie_on(self, section):
         for preset in sent(section)["presets"]:
-            ours = SYSTEMS[section].closed_loop(EQS, **preset["values"]).poles()
+            ours = VIEWS[section].closed_loop(EQS, **preset["values"]).poles()
             printed = [complex(root["re"], root["im"]) for root in preset["printed"]]
             far = any(abs(ours - z).min() > 0.03 * abs(z) + 1e-3 for z in printed)
             assert far == bool(preset.get("path")), preset["name"]
@@ -205,19 +203,30 @@ class TestPresets:
 
     def test_the_gains_found_leave_no_root_right_of_the_axis(self):
         for values in corrected_designs("VII", EQS).values():
-            assert SYSTEMS["VII"].closed_loop(EQS, **values).poles().real.max() < 1e-7
+            assert VIEWS["VII"].closed_loop(EQS, **values).poles().real.max() < 1e-7
+
+
+def _send_script(route: Route) -> None:
+    """Answer a request for a script of `js/maths` with its text, and one for the folder with a blank page."""
+    name = route.request.url.removeprefix(SCRIPTS)
+    if name:
+        route.fulfill(content_type="text/javascript", body=script("js", "maths", name))
+    else:
+        route.fulfill(content_type="text/html", body="<!doctype html>")
 
 
 @pytest.fixture(scope="module")
 def page(browser: Browser) -> Iterator[Page]:
-    """A blank page with the models' scripts as `module`."""
+    """A blank page with what the models' scripts export as `module`."""
     page = browser.new_page()
+    page.route(f"{SCRIPTS}**", _send_script)
+    page.goto(SCRIPTS)
     page.evaluate(
-        """async ([code, systems]) => {
-             const address = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-             Object.assign(globalThis, { module: await import(address), systems });
+        """async ([names, systems]) => {
+             const modules = await Promise.all(names.map((name) => import(`./${name}.js`)));
+             Object.assign(globalThis, { module: Object.assign({}, ...modules), systems });
            }""",
-        [MODULE, {section: sent(section) for section in SYSTEMS}],
+        [MATHS, {section: sent(section) for section in VIEWS}],
     )
     yield page
     page.close()
@@ -350,7 +359,7 @@ class TestResponses:
             states(section), loops(section), given, found, strict=True
         ):
             wanted = response_of(loop, stimulus, times)
-            assert set(js) == set(SYSTEMS[section].outputs)
+            assert set(js) == set(VIEWS[section].system.outputs)
             for name, values in js.items():
                 largest = abs(wanted[name]).max()
                 assert abs(np.array(values) - wanted[name]).max() <= 1e-6 * largest, (state, stimulus, name)
@@ -377,7 +386,7 @@ def test_responses_pass_through_coinciding_poles(page, section):
     body = "(s, x, u, t) => module.responses(s, x, u, t)"
     times = np.linspace(0, 4, 21)
     js = run(page, body, section, {**state, gain: 1e-9}, stimulus, times.tolist())
-    wanted = response_of(SYSTEMS[section].closed_loop(EQS, **{**state, gain: 1e-9}), stimulus, times)
+    wanted = response_of(VIEWS[section].closed_loop(EQS, **{**state, gain: 1e-9}), stimulus, times)
     for name, values in js.items():
         assert abs(np.array(values) - wanted[name]).max() <= 1e-6 * abs(wanted[name]).max(), name
 
@@ -403,10 +412,10 @@ class TestModes:
                 continue
             seen += 1
             p = complex(pole["re"], pole["im"])
-            value = {name: complex(*mode[name]) for name in SYSTEMS[section].outputs}
+            value = {name: complex(*mode[name]) for name in VIEWS[section].system.outputs}
             v = np.array([value["alpha"], value["theta"], p * value["theta"], value["q1"], p * value["q1"],
                           value["q2"], p * value["q2"]])  # fmt: skip
-            for name in SYSTEMS[section].outputs[4:]:
+            for name in VIEWS[section].system.outputs[4:]:
                 row = loop.C[loop.output_labels.index(name)]
                 weight = row[loop.state_labels.index(f"x_{name}")]
                 v = np.append(v, value[name] / weight if weight else 0)
@@ -612,7 +621,7 @@ class TestLoci:
                     station,
                 )
                 for end in sides:
-                    exact = SYSTEMS[section].closed_loop(EQS, **{**state, station: end["t"]}).poles()
+                    exact = VIEWS[section].closed_loop(EQS, **{**state, station: end["t"]}).poles()
                     ours = points(end)
                     # Good for a picture; the present poles, above, are good to the last digits.
                     assert (abs(ours - order_of(ours, exact)) < 1e-5 * np.maximum(1, abs(ours))).all()

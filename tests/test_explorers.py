@@ -4,9 +4,7 @@ import base64
 import gzip
 import json
 import math
-import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,13 +12,11 @@ from playwright.sync_api import Browser, Page
 
 import rlswaim as rl
 from rlswaim.explorers import Comparison, Explorer, designs, rate_attitude_explorer
-from rlswaim.explorers.scripts import EXPORT, IMPORT
 from rlswaim.source.tables import read_table
 from standin import opened, paired, show, table
 
 EQUATIONS = rl.printed_equations()
 FIGURE_11 = designs("IV")["Figure 11"]
-SCRIPTS = Path(rl.__file__).parent / "explorers" / "js"
 
 
 def closed_loop(state: dict):
@@ -218,13 +214,3 @@ class TestView:
         page.evaluate("async () => { const d = drawn(); el.style.width = '328px'; await d; }")
         assert page.evaluate("el.scrollWidth") <= 328
         page.evaluate("async () => { const d = drawn(); el.style.width = ''; await d; }")
-
-
-def test_scripts_import_what_others_export():
-    scripts = {path.stem: path.read_text(encoding="utf-8") for path in SCRIPTS.glob("*/*.js")}
-    exported = {name: set(EXPORT.findall(text)) for name, text in scripts.items()}
-    found = [(name, other, words) for name, text in scripts.items() for words, other in IMPORT.findall(text)]
-    assert len(found) > 40
-    assert len(found) == sum(text.count("import {") for text in scripts.values())
-    for name, other, words in found:
-        assert set(re.findall(r"\w+", words)) <= exported[other], (name, other)

@@ -140,7 +140,7 @@ def test_without_numba_or_room_for_its_cache_numpy_serves():
     full = (
         "import numba.core.caching as c; "
         "c.CacheImpl._locator_classes = []; "
-        "from rlswaim import fast; assert fast.compiled() is None; "
+        "from rlswaim.rootlocus import fast; assert fast.compiled() is None; "
     )
     sizes = [
         subprocess.run(

@@ -10,9 +10,12 @@ from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+import diagrams
 import rlswaim as rl
-from rlswaim.figures import diagrams, loci, use_book_style
-from rlswaim.figures.redraw import LocusPicture
+from pages import use_book_style
+from redraw import LocusPicture
+from rlswaim.figures import loci, stations
+from rlswaim.loops import named_branches
 from rlswaim.loops import transfer_functions as tf
 from rlswaim.loops.transfer_functions import theta_loop
 
@@ -30,7 +33,9 @@ def ax():
 
 @pytest.fixture(scope="module")
 def closure():
-    return tf.close(tf.theta_loop(EQS, 10, 0.618, 60), 1.8, tf.open_loop_parts(EQS, 10))
+    return named_branches.named_locus(
+        tf.theta_loop(EQS, 10, 0.618, 60), 1.8, named_branches.open_loop_parts(EQS, 10)
+    )
 
 
 def points(line):
@@ -70,7 +75,7 @@ def test_an_arrow_points_to_rising_gain(ax, closure):
 
 
 def test_closed_loop_poles_and_printed_roots_are_marked_where_they_are(ax, closure):
-    loci.draw_closure(ax, closure, (-11, 4, -1, 12), "closed loop")
+    loci.draw_named_locus(ax, closure, (-11, 4, -1, 12), "closed loop")
     loci.draw_printed_roots(ax, [-1 + 1.73j, 1.375])
     expected = rl.rate_attitude(EQS, K_A=1.8, K_C=10, K_R=0.618, gyro=60).poles()
     assert np.sort_complex(points(labelled(ax, "closed loop"))) == pytest.approx(
@@ -80,9 +85,9 @@ def test_closed_loop_poles_and_printed_roots_are_marked_where_they_are(ax, closu
 
 
 def test_the_zeros_of_all_stations_are_drawn_once(ax):
-    stations = np.arange(0.0, 421.0, 30.0)
-    zeros = tf.sensor_zeros(EQS, stations)
-    loci.draw_sensor_zeros(ax, stations, zeros, {140.0: [3.2 + 2.625j]})
+    places = np.arange(0.0, 421.0, 30.0)
+    zeros = tf.sensor_zeros(EQS, places)
+    stations.draw_sensor_zeros(ax, places, zeros, {140.0: [3.2 + 2.625j]})
     drawn = sum(line.get_xdata().size for line in ax.lines[:3])
     assert drawn == np.count_nonzero(zeros.imag >= 0)
     assert ax.get_xlabel().endswith("(ft)")

@@ -13,12 +13,13 @@ import pytest
 from matplotlib import pyplot as plt
 
 import rlswaim as rl
-from rlswaim.edition import causes, section_4
+from rlswaim.edition import causes, printed_closures, section_4
 from rlswaim.edition.ledger import VERDICTS, half_unit
 from rlswaim.figures.agreement import draw_differences
 from rlswaim.loops import closures
 from rlswaim.rootlocus.polynomials import roots
-from rlswaim.source.tables import read_table
+from rlswaim.source.tables import number, read_table
+from rlswaim.vehicle.equations import printed_coefficients, with_reading
 
 LEDGER = rl.ledger()
 ENTRIES = {entry.id: entry for entry in LEDGER}
@@ -158,16 +159,16 @@ def test_zeros_of_both_sensors_are_off_by_one_quadratic():
 
 def half_units():
     return [
-        (row["symbol"], 0.5 * 10.0 ** int(Decimal(row["value"]).as_tuple().exponent))
-        for row in read_table("equations_as_printed")
-        if row["symbol"] in EQS.coefficients
+        (name, 0.5 * 10.0 ** int(Decimal(text).as_tuple().exponent))
+        for name, text in printed_coefficients().items()
     ]
 
 
 def section_iv(eqs):
     """Return what Section IV gets from the coefficients of Eq. 38."""
-    loops = section_4._closed_loops(eqs, section_4.printed("IV"))
-    return loops | section_4._polynomial(eqs) | section_4._transfer_functions(eqs)
+    p = section_4.printed("IV")
+    loops = section_4._closed_loops(eqs, p)
+    return loops | section_4._polynomial(eqs, p) | section_4._transfer_functions(eqs, p)
 
 
 @cache
@@ -193,10 +194,10 @@ def test_last_digits_of_eq_38_move_it_so_far(entry):
 
 
 def test_small_real_part_in_eq_136():
-    entry, loop = ENTRIES["eq136-zero-c2-re"], closures.final_design()[0]
+    entry, loop = ENTRIES["eq136-zero-c2-re"], printed_closures.final_design()[0]
 
     def part(eqs):
-        read = closures.with_reading(eqs, loop.sensor, causes.READ[39])
+        read = with_reading(eqs, loop.sensor, causes.read_off()[39])
         zeros = roots(closures.elastic_numerator(read, "delta", loop)[:6])
         return zeros[zeros.imag > 0][0].real
 
@@ -210,13 +211,27 @@ def test_small_real_part_in_eq_136():
 def test_table_2_s_last_digits_cannot_balance_its_sums():
     booster = rl.swaim_booster()
     digits = {
-        r["station_ft"]: half_unit(r["value"]) for r in read_table("modes") if r["kind"] == "deflection"
+        r["station_ft"]: half_unit(ENTRIES[r["value"]].printed)
+        for r in read_table("modes")
+        if r["kind"] == "deflection"
     }
     half = np.array([digits[f"{x:g}"] for x in booster.stations])
     phi = np.array([mode.deflection(booster.stations) for mode in booster.modes])
     for i in range(2):
         assert abs(ENTRIES[f"sec2-translation_{i + 1}"].computed) > booster.masses @ half
     assert abs(ENTRIES["sec2-orthogonality"].computed) > booster.masses @ (np.abs(phi).sum(axis=0) * half)
+
+
+@pytest.mark.parametrize("name", ["designs", "gains_found", "masses", "modes", "vehicle"])
+def test_a_table_s_number_is_a_row_of_the_ledger_or_a_number(name):
+    """Else a mistyped id would pass for words."""
+    key = "mass_slug" if name == "masses" else "value"
+    cells = [row[key] for row in read_table(name)]
+    words = [cell for cell in cells if cell not in ENTRIES and not re.fullmatch(r"-?\d*\.?\d+(e\d+)?", cell)]
+    assert set(words) == ({"total", "rigid body"} if name == "designs" else set())
+    known = [cell for cell in cells if cell in ENTRIES]
+    assert known
+    assert [number(cell) for cell in known] == [ENTRIES[cell].value for cell in known]
 
 
 def test_cross_dampings_contradict_each_other():
@@ -231,9 +246,9 @@ def test_cross_dampings_contradict_each_other():
 
 def test_printed_roots_of_closure_1_break_the_sum_rule():
     """A loop with two more poles than zeros keeps the sum of its roots when it is closed."""
-    found = closures.printed_factors("text-closure1-")
-    loop, kK_z = closures.final_design()
-    kept = roots(closures.closed_1(EQS, loop, kK_z)).sum().real
+    found = printed_closures.printed_factors("text-closure1-")
+    loop, kK_z = printed_closures.final_design()
+    kept = roots(closures.closure_1_polynomial(EQS, loop, kK_z)).sum().real
     rounding = sum(2 * half_unit(ENTRIES[f"text-closure1-{c}-re"].printed) for c in ("c1", "c2"))
     assert abs(sum((2 if z.imag else 1) * z.real for z in found) - kept) > 5 * rounding
 
@@ -316,7 +331,7 @@ def test_rough_numbers_in_reasons():
     assert of("fig16-K_A") / ENTRIES["fig16-K_A"].value == pytest.approx(4, rel=0.05)
     aero = of("eq38-F1_q1") - 1 - 12.26e6 / 621915 * 0.05  # omega_1^2 and the thrust taken away
     assert 100 * (0.312 - of("eq38-F1_q1")) / aero == pytest.approx(0.16, abs=0.005)
-    found = [abs(z) for z in closures.printed_factors("text-closure1-") if z.imag]
+    found = [abs(z) for z in printed_closures.printed_factors("text-closure1-") if z.imag]
     own = sorted(abs(z) for z in roots(EQS.characteristic_polynomial()) if z.imag > 0.5)
     assert min(found) / max(own) > 10
 

@@ -81,9 +81,9 @@ def test_recomputed_totals():
     assert exact.thrust_station == BOOSTER.thrust_station
 
 
-@pytest.mark.parametrize("second_first", [False, True])
-def test_orthogonalized_modes_are_those_of_a_free_beam(second_first):
-    free = BOOSTER.orthogonalized(second_first)
+@pytest.mark.parametrize("last_first", [False, True])
+def test_orthogonalized_modes_are_those_of_a_free_beam(last_first):
+    free = BOOSTER.orthogonalized(last_first)
     m, shapes = free.masses, [mode.deflection(free.stations) for mode in free.modes]
     rigid = [np.ones(11), free.arms]
     cosines = [modes.mass_cosine(m, phi, other) for phi in shapes for other in rigid]

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from collections import Counter
 from pathlib import Path
 
 import nbformat
@@ -10,8 +11,8 @@ import yaml
 
 ROOT = Path(__file__).parent.parent
 NOTEBOOKS = sorted((ROOT / "book").glob("*.ipynb"))
-FIRST = "import rlswaim as rl\nfrom myst_nb import glue\nfrom rlswaim import figures\n"
 FORBIDDEN = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.While, ast.Try, ast.With)
+LONGEST_CELL = 12
 CHANGES_BY_ITSELF = re.compile(r"0x[0-9a-f]{6,}|\d\d:\d\d:\d\d|/(?:home|root|tmp|Users|work)/")
 
 
@@ -51,18 +52,38 @@ def test_no_output_is_an_error_or_a_warning(notebook):
 
 
 def test_a_cell_calls_shows_and_stops(notebook):
-    """No function, class or unbounded loop of its own, and no long cell (imports aside)."""
-    for cell in code_cells(notebook):
-        lines = [line for line in cell.source.splitlines() if not line.startswith(("import ", "from "))]
-        assert len([line for line in lines if line.strip()]) <= 15, cell.id
-        nodes = ast.walk(ast.parse(cell.source))
+    """No function, class or unbounded loop of its own, and no long cell; the first one prepares the page."""
+    for number, cell in enumerate(code_cells(notebook)):
+        nodes = list(ast.walk(ast.parse(cell.source)))
         assert [type(node).__name__ for node in nodes if isinstance(node, FORBIDDEN)] == [], cell.id
+        lines = [line for line in cell.source.splitlines() if not line.startswith(("import ", "from "))]
+        assert len([line for line in lines if line.strip()]) <= LONGEST_CELL or not number, cell.id
 
 
-def test_the_first_code_cell_is_the_same_everywhere(notebook):
-    for cell in code_cells(notebook)[:1]:
-        assert cell.source.startswith(FIRST)
-        assert "figures.use_book_style()" in cell.source.splitlines()
+def test_imports_and_preparation_are_hidden_in_the_first_cell(notebook):
+    """A cell that a reader can copy as it is has its own imports, and a tag that says so."""
+    first, *others = code_cells(notebook)
+    assert {"hide-input", "remove-cell"} & set(first.metadata.tags)
+    for cell in others:
+        imports = re.search(r"^(?:import|from) ", cell.source, re.MULTILINE)
+        assert not imports or "stands-alone" in cell.metadata.get("tags", []), cell.id
+
+
+def test_a_cell_whose_code_is_shown_shows_something(notebook):
+    for cell in code_cells(notebook):
+        if not {"hide-input", "hide-cell", "remove-cell"} & set(cell.metadata.get("tags", [])):
+            assert cell.outputs, cell.id
+
+
+def test_a_page_with_figures_sets_the_book_s_style_first(notebook):
+    first = code_cells(notebook)[0]
+    assert not figures(notebook) or "use_book_style()" in first.source.splitlines()
+
+
+def test_the_book_s_helper_glues_and_shows(notebook):
+    """Numbers and tables come out alike on all pages: `pages.glue_all` and `pages.show`."""
+    for cell in code_cells(notebook):
+        assert not re.search(r"\bglue\(|\bMarkdown\(|\bto_markdown\(", cell.source), cell.id
 
 
 def test_outputs_hold_nothing_that_changes_by_itself(notebook):
@@ -91,10 +112,19 @@ def test_each_figure_has_a_caption_and_alt_text(notebook):
         assert len(shown.get("image", {}).get("alt", "").strip()) > 15, cell.id
 
 
+def glued(notebook):
+    """Return the names of the values that the prose may name, from the outputs that hold them."""
+    outputs = [output for cell in code_cells(notebook) for output in cell.outputs]
+    names = [output.get("metadata", {}).get("scrapbook", {}).get("name") for output in outputs]
+    return [name for name in names if name]
+
+
 def test_names_of_glued_numbers_are_unique_in_the_book():
-    named = {}
-    for path in NOTEBOOKS:
-        for cell in code_cells(nbformat.read(path, as_version=4)):
-            for name in re.findall(r"\bglue\(\s*[\"']([^\"']+)", cell.source):
-                named.setdefault(name, []).append(path.stem)
-    assert {name: places for name, places in named.items() if len(places) > 1} == {}
+    names = Counter(name for path in NOTEBOOKS for name in glued(nbformat.read(path, as_version=4)))
+    assert len(names) > 400
+    assert {name: count for name, count in names.items() if count > 1} == {}
+
+
+def test_prose_names_only_numbers_of_its_own_page(notebook):
+    prose = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    assert set(re.findall(r"\{glue:text\}`([^`:]+)", prose)) - set(glued(notebook)) == set()

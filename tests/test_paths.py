@@ -9,10 +9,19 @@ from matplotlib import pyplot as plt
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from rlswaim.edition import consistent_vehicles, corrected_paths, section_5, section_6, table_3_readings
+from rlswaim.edition import (
+    consistent_vehicles,
+    corrected_loops,
+    printed_closures,
+    section_5,
+    section_6,
+    table_3,
+    table_3_readings,
+)
 from rlswaim.edition.matching import printed_roots
-from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C, WANTED, closed_loop_roots
-from rlswaim.figures.paths import draw_far_locus, draw_readings
+from rlswaim.edition.section_4 import CLOSED_LOOPS, WANTED, closed_loop_roots
+from rlswaim.figures.loci import draw_far_locus
+from rlswaim.figures.stations import draw_readings
 from rlswaim.loops import closures, transfer_functions
 from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
 from rlswaim.rootlocus.locus import root_locus
@@ -20,9 +29,9 @@ from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle import trajectory
 
 EQS, BOOSTER = rl.printed_equations(), rl.swaim_booster()
-K_A, K_R = 0.0016, 0.618
+K_A, K_C, K_R = 0.0016, 10.0, 0.618
 RIGHT = rigid_design(rigid_body(EQS), omega=2.0, zeta=0.5, K_C=K_C)
-JET, KK_Z = closures.final_design()
+JET, KK_Z = printed_closures.final_design()
 
 
 def at(loop, gain):
@@ -44,7 +53,7 @@ def upper(found):
 
 
 def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
-    pair = corrected_paths.coupling_loops(EQS)
+    pair = corrected_loops.coupling_loops(EQS)
     eq_40 = [1.08, -1.28, complex(-0.0387 / 2, np.sqrt(1.813 - 0.0387**2 / 4))]
     assert contains(at(pair["corrected"], 1), eq_40, 0.004)
     mixed = at(pair["report"], 1)
@@ -54,7 +63,7 @@ def test_coupling_on_one_scale_ends_at_eq_40_and_on_two_scales_does_not():
 
 
 def test_without_coupling_both_scales_start_alike():
-    first, second = (np.sort_complex(at(loop, 0)) for loop in corrected_paths.coupling_loops(EQS).values())
+    first, second = (np.sort_complex(at(loop, 0)) for loop in corrected_loops.coupling_loops(EQS).values())
     np.testing.assert_allclose(first, second, atol=1e-3)
 
 
@@ -62,7 +71,7 @@ def test_without_coupling_both_scales_start_alike():
 
 
 def test_each_rigid_loop_has_the_wanted_short_period_at_its_own_gain_alone():
-    pair = corrected_paths.rigid_loops(EQS)
+    pair = corrected_loops.rigid_loops(EQS)
     assert np.abs(at(pair["report"], K_A) - WANTED).min() < 0.01
     assert np.abs(at(pair["corrected"], RIGHT.K_A) - WANTED).min() < 0.01
     assert np.abs(at(pair["corrected"], K_A) - WANTED).min() > 1.5
@@ -117,7 +126,7 @@ def test_poles_of_eq_118_follow_from_the_printed_zeros_alone():
 
 def test_outer_loop_of_section_v_both_ways():
     report = section_5.printed_outer_loop()
-    corrected = transfer_functions.outer_loop(EQS, K_C, section_5.K_R, [(section_5.K_Z, section_5.SENSOR)])
+    corrected = transfer_functions.outer_loop(EQS, K_C, 0.625, [(0.054, 140.0)])
     gain, _ = section_5.nearest_gain(report, WANTED, np.geomspace(1, 1000, 3001))
     assert gain == pytest.approx(154, abs=0.5)
     assert np.abs(at(report, gain) - WANTED).min() == pytest.approx(0.01, abs=0.002)
@@ -131,10 +140,11 @@ def test_outer_loop_of_section_v_both_ways():
 
 
 def test_closure_2_both_ways():
-    pair = corrected_paths.closure_2_loops(EQS)
+    pair = corrected_loops.closure_2_loops(EQS)
     report, corrected = (at(loop, 1) for loop in pair.values())
     assert min(report.real) == pytest.approx(-1.115e7, rel=1e-3)
-    assert contains(report, [r for r in closures.printed_factors("text-closure2-") if abs(r) > 0.1], 0.12)
+    printed = printed_closures.printed_factors("text-closure2-")
+    assert contains(report, [r for r in printed if abs(r) > 0.1], 0.12)
     assert min(corrected.real) == pytest.approx(-397, abs=0.5)
     assert max(corrected.real) == pytest.approx(390, abs=0.5)
     assert contains(corrected, roots(EQS.characteristic_polynomial())[1:], 1e-4)
@@ -142,8 +152,8 @@ def test_closure_2_both_ways():
 
 
 def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
-    report = closures.printed_closure_3(1, 0.286)
-    corrected = closures.closure_3(EQS, JET, KK_Z, 1, 0.286)
+    report = printed_closures.printed_closure_3(1, 0.286)
+    corrected = closures.closure_3_open_loop(EQS, JET, KK_Z, 1, 0.286)
     assert (report.poles().size, corrected.poles().size) == (16, 9)
     assert [int((loop.poles().real > 1e-9).sum()) for loop in (report, corrected)] == [4, 1]
     counts = [int((at(report, gain).real > 1e-9).sum()) for gain in (1e-4, 7.3e-4, 7.5e-4, 1.0, 100.0)]
@@ -155,7 +165,7 @@ def test_closure_3_has_sixteen_poles_in_the_report_and_nine_here():
 
 @pytest.fixture(scope="module")
 def read():
-    return table_3_readings.readings(EQS, closures.table_3(EQS), samples=0)
+    return table_3_readings.readings(EQS, table_3.trials(EQS), samples=0)
 
 
 def test_starting_rates_are_those_of_the_roots_themselves():
@@ -163,7 +173,9 @@ def test_starting_rates_are_those_of_the_roots_themselves():
     phi = table_3_readings.deflections(EQS, loop) * [1.04, 0.97, 0.95, 1.05]
     eqs, small = table_3_readings.read_so(EQS, loop, phi), 1e-3
     rates = table_3_readings.starting_rates(EQS, loop, phi[None])[0]
-    ends = [[abs(r) for r in upper(roots(closures.closed_1(eqs, loop, k)))] for k in (small, -small)]
+    ends = [
+        [abs(r) for r in upper(roots(closures.closure_1_polynomial(eqs, loop, k)))] for k in (small, -small)
+    ]
     np.testing.assert_allclose((np.array(ends[0]) - ends[1]) / (2 * small), rates, rtol=1e-4)
 
 
@@ -239,9 +251,9 @@ def test_what_orthogonal_modes_leave_of_section_iii():
 def test_far_locus_shows_every_root():
     with mpl.rc_context():
         fig, ax = plt.subplots()
-        loop = corrected_paths.closure_2_loops(EQS)["report"]
+        loop = corrected_loops.closure_2_loops(EQS)["report"]
         locus = root_locus(loop, np.concatenate([[0.0], np.geomspace(1e-12, 1, 60)]))
-        draw_far_locus(ax, locus, locus.roots[-1], closures.printed_factors("text-closure2-"))
+        draw_far_locus(ax, locus, locus.roots[-1], printed_closures.printed_factors("text-closure2-"))
         closed = next(line for line in ax.lines if line.get_label() == "closed loop, computed")
         assert min(closed.get_xdata()) == pytest.approx(-1.115e7, rel=1e-3)
         assert ax.get_xlim()[0] < min(closed.get_xdata())

@@ -1,20 +1,31 @@
 """What holds for the tracked files: their size, nothing of one machine in them, built files are current."""
 
-import hashlib
 import re
 import subprocess
 import tomllib
 from itertools import chain
 from pathlib import Path
 
+import nbformat
 import pytest
+from matplotlib import pyplot as plt
 
-from rlswaim.edition.ledger import counts, errata
+from rlswaim.edition.ledger import counts, errata, ledger
 from rlswaim.source.tables import read_table
 
 ROOT = Path(__file__).parent.parent
-WIDGETS = ROOT / "book" / "widgets"
 LARGEST = 1_500_000
+VIEWS = {
+    "bent-vehicle",
+    "trajectory",
+    "coupling",
+    "rate-attitude",
+    "single-sensor",
+    "two-sensor",
+    "dual-actuation",
+}
+FRAME = 1000 / 60  # ms
+CHAPTERS = {f"{path.stem}.html" for path in (ROOT / "book").glob("0?-*.ipynb")}
 # Written so that this file does not hold the words itself.
 OF_ONE_MACHINE = re.compile(
     rb"/(?:work|root|home/\w+|tmp/[a-z])/|/opt/(?:py" + rb"pi|wheels)|file:/" + rb"//"
@@ -67,34 +78,36 @@ def test_the_lock_names_no_source():
     assert [line for line in lines if re.match(r"\s*(-|--|https?:)", line) or " @ " in line] == []
 
 
-def test_the_widgets_bundle_was_built_from_its_sources():
-    """Its banner holds one hash over the sources; `make widgets` builds it anew where Node is."""
-    kinds = {".mjs", ".css", ".txt"}
-    sources = sorted(p for p in WIDGETS.iterdir() if p.suffix in kinds or p.name == "package-lock.json")
-    wanted = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()
-    banner = (WIDGETS / "dist" / "rlswaim-widgets.js").read_text(encoding="utf-8")[:400]
-    assert re.search(r"sources sha256: ([0-9a-f]{64})", banner)[1] == wanted
-
-
 def test_every_target_is_explained():
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     targets = re.search(r"^\.PHONY: (.+)$", makefile, re.MULTILINE)[1].split()
     assert set(re.findall(r"^([a-z-]+):.*## \S", makefile, re.MULTILINE)) == set(targets)
 
 
-def test_the_readme_s_example_runs():
-    (example,) = re.findall(
-        r"```python\n(.+?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL
-    )
-    exec(compile(example, "README.md", "exec"), {})
+@pytest.mark.parametrize("name", ["README.md", "book/13-how-to.md"])
+def test_the_examples_run_in_their_order(name):
+    examples = re.findall(r"```python\n(.+?)```", (ROOT / name).read_text(encoding="utf-8"), re.DOTALL)
+    assert examples
+    try:
+        exec(compile("\n".join(examples), name, "exec"), {})
+    finally:
+        plt.close("all")
 
 
-def test_the_readme_counts_the_ledger_s_verdicts():
+def test_agreement_counts_the_ledger_s_verdicts():
+    """The table that the page of the book shows, as it is stored in its notebook."""
+    page = nbformat.read(ROOT / "book" / "12-agreement.ipynb", as_version=4)
+    outputs = [output for cell in page.cells for output in cell.get("outputs", [])]
+    tables = [output.get("data", {}).get("text/markdown", "") for output in outputs]
+    (table,) = [text for text in tables if text.startswith("| verdict |")]
+    shown = {cells[0]: cells[1:] for line in table.splitlines()[2:] if (cells := re.findall(r"[^|]+", line))}
+    assert shown == {f" {verdict} ": [f" {n} " for n in row] for verdict, row in counts().T.iterrows()}
+
+
+def test_the_readme_counts_all_printed_numbers():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    lines = readme.partition("| verdict |")[2].partition("\n\n")[0].splitlines()
-    shown = {cells[0]: cells[1:] for line in lines[2:] if (cells := re.findall(r"[^|]+", line))}
-    wanted = {f" {verdict} ": [f" {n} " for n in row] for verdict, row in counts().T.iterrows()}
-    assert shown == wanted
+    (count,) = re.findall(r"prints (\d+) numbers", readme)
+    assert int(count) == len(ledger())
 
 
 def test_the_errata_are_the_ledger_s():
@@ -117,10 +130,16 @@ def test_the_readme_s_pictures_and_files_are_there():
     assert [name for name in named if not (ROOT / name).exists()] == []
 
 
-def test_the_readme_shows_the_measured_figures():
-    """Its tables of live views are those of the page that `make bench` writes."""
+def test_the_speed_page_shows_measured_figures_of_every_chapter_and_view():
+    """`make bench` writes it; README leaves these figures to it."""
     page = (ROOT / "book" / "11-speed.md").read_text(encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    for head in ("| view | key to picture", "| page | first picture"):
-        start = page.index(head)
-        assert page[start : page.index("\n\n", start)] in readme
+    for head, wanted in (("| view | key to picture", VIEWS), ("| page | first picture", CHAPTERS)):
+        table = page[page.index(head) :].partition("\n\n")[0].splitlines()
+        rows = {cells[0]: cells[1:] for line in table[2:] if (cells := line.strip("| ").split(" | "))}
+        assert set(rows) == wanted
+        assert all(float(number) >= 0 for cells in rows.values() for number in cells)
+        assert head not in readme
+        if "view" in head:  # the README says that a view draws within a frame
+            assert max(float(cells[1]) for cells in rows.values()) < FRAME
+    assert "(book/11-speed.md)" in readme

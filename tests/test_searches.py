@@ -10,7 +10,10 @@ import pytest
 import rlswaim as rl
 from exact import exact_roots, paired
 from rlswaim.edition import conclusions, robustness, search
-from rlswaim.loops import certificates, family, rigid_body_design
+from rlswaim.loops import certificates, closed_loops, rigid_body_design
+from rlswaim.loops.closed_loops import LOOPS
+from rlswaim.loops.control_systems import RATE_ATTITUDE
+from rlswaim.loops.rigid_body_design import WANTED
 from rlswaim.rootlocus.polynomials import exact_characteristic_polynomial, roots
 from systems import polynomial_at
 
@@ -36,7 +39,7 @@ def one(sampled_gains, i):
 @cache
 def exact_poles(at):
     """Return the poles of a winner's wired state space: exact arithmetic, 60 digits, then rounded."""
-    A = family.closed_loop(EQS, WINNERS[at].system, WINNERS[at].gains).A
+    A = closed_loops.state_space(EQS, WINNERS[at].system, WINNERS[at].gains).A
     with mpmath.workdps(60):
         p = [mpmath.mpf(c.numerator) / c.denominator for c in exact_characteristic_polynomial(A)]
     found = exact_roots(p)
@@ -46,27 +49,37 @@ def exact_poles(at):
 # ---- the machinery
 
 
-@pytest.mark.parametrize("system", family.LOOPS)
-def test_matrices_are_those_of_the_wired_loops(system):
+@pytest.mark.parametrize("system", LOOPS)
+@pytest.mark.parametrize("eqs", [EQS, OWN], ids=["printed", "data"])
+def test_matrices_are_those_of_the_wired_loops(system, eqs):
     g = sampled(system)
-    for i, A in enumerate(family.state_matrices(EQS, g)):
-        p = [float(c) for c in exact_characteristic_polynomial(family.closed_loop(EQS, system, one(g, i)).A)]
+    for i, A in enumerate(LOOPS[system].around(eqs).matrices(**g)):
+        wired = closed_loops.state_space(eqs, system, one(g, i)).A
+        assert (np.abs(A - wired) <= 1e-12 * np.abs(wired).max(axis=1, keepdims=True)).all()
+
+
+@pytest.mark.parametrize("system", LOOPS)
+def test_matrices_have_the_exact_polynomials_of_the_wired_loops(system):
+    g = sampled(system)
+    for i, A in enumerate(LOOPS[system].around(EQS).matrices(**g)):
+        p = [
+            float(c)
+            for c in exact_characteristic_polynomial(closed_loops.state_space(EQS, system, one(g, i)).A)
+        ]
         q = [float(c) for c in exact_characteristic_polynomial(A)]
         np.testing.assert_allclose(q, p, rtol=1e-9, atol=1e-11 * np.abs(p).max())
 
 
-@pytest.mark.parametrize("system", family.LOOPS)
+@pytest.mark.parametrize("system", LOOPS)
 def test_a_wanted_pair_is_held(system):
-    g = family.with_pair(EQS, sampled(system))
+    g = LOOPS[system].around(EQS).with_pair(sampled(system))
     for i in range(6):
-        assert polynomial_at(family.determinants(EQS, system, one(g, i)), family.WANTED) < 1e-11
+        assert polynomial_at(closed_loops.polynomial(EQS, system, one(g, i)), WANTED) < 1e-11
 
 
 def test_a_wanted_pair_takes_the_gains_that_the_coefficients_give():
-    g = family.with_pair(EQS, {"K_C": np.array([10.0]), "gyro": np.array([60.0])})
-    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(
-        certificates.gains_for_pole(EQS, family.WANTED, 10.0, 60.0)
-    )
+    g = RATE_ATTITUDE.around(EQS).with_pair({"K_C": np.array([10.0]), "gyro": np.array([60.0])})
+    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(certificates.gains_for_pole(EQS, WANTED, 10.0, 60.0))
 
 
 @pytest.mark.parametrize(
@@ -85,7 +98,7 @@ def test_one_slow_real_root_is_set_apart(poles, apart, wanted):
 
 
 def test_spread_covers_the_bounds():
-    for system in family.LOOPS:
+    for system in LOOPS:
         for row in search.bounds(system).values():
             ends = search._spread(row, np.array([0.0, 1.0]))
             np.testing.assert_allclose(ends, [float(row["low"]), float(row["high"])], rtol=1e-9)
@@ -101,9 +114,7 @@ def test_an_unknown_name_is_told(system, objective):
 
 
 def test_every_system_has_every_objective():
-    assert [(w.system, w.objective) for w in WINNERS] == [
-        (s, o) for s in family.LOOPS for o in search.OBJECTIVES
-    ]
+    assert [(w.system, w.objective) for w in WINNERS] == [(s, o) for s in LOOPS for o in search.OBJECTIVES]
 
 
 @pytest.mark.parametrize("winner", WINNERS, ids=IDS)
@@ -116,12 +127,12 @@ def test_winner_lies_within_its_bounds(winner):
 def test_winner_holds_two_ways(at):
     """The wired state space, in exact arithmetic, and the determinants, in floats: the same roots."""
     winner, state = WINNERS[at], exact_poles(at)
-    other = roots(family.determinants(EQS, winner.system, winner.gains))
+    other = roots(closed_loops.polynomial(EQS, winner.system, winner.gains))
     assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
     value = search.abscissas(state[None], winner.objective.endswith("apart"))[0]
     assert value == pytest.approx(winner.abscissa, abs=1e-4)
     if winner.objective.startswith("pair"):
-        assert np.abs(state - family.WANTED).min() < 1e-3
+        assert np.abs(state - WANTED).min() < 1e-3
 
 
 @pytest.mark.parametrize("winner", WINNERS, ids=IDS)

@@ -16,10 +16,8 @@ from scipy.optimize import linear_sum_assignment
 import rlswaim as rl
 from rlswaim import explorers
 from rlswaim.explorers import ascent, bent_vehicle, coupled_vehicle, coupling_tables, station_map
-from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live_view import LiveView
-from rlswaim.explorers.scripts import module
-from rlswaim.loops import station_maps
+from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.rootlocus.polynomials import characteristic_polynomial
 from rlswaim.vehicle import trajectory
 from standin import go_to_empty_page
@@ -259,7 +257,7 @@ class TestBentVehicle:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states]) => states.map(s =>
-                     [module.loads(payload, s).sum, module.height(payload, s, 60)])""",
+                     [module.default.loads(payload, s).sum, module.default.height(payload, s, 60)])""",
                 [view.payload, states],
             )
         assert MAKERS["bent-vehicle"](**states[0]).loads() == pytest.approx(
@@ -305,7 +303,7 @@ class TestAscent:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states]) => states.map(s => {
-                     const { curves, peak } = module.flight(payload, s);
+                     const { curves, peak } = module.default.flight(payload, s);
                      return [curves, peak];
                    })""",
                 [view.payload, states],
@@ -342,7 +340,7 @@ class TestAscent:
 
 class TestCoupledVehicle:
     def test_coefficients_are_those_of_the_library(self):
-        table = coupling_tables.coefficient_table(BOOSTER)
+        table = coupling_tables.coupled_products(BOOSTER)
         factors = {
             "q_D": 900.0,
             "C_payload": 0.03,
@@ -383,7 +381,7 @@ class TestCoupledVehicle:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states]) => states.map(s => {
-                     const { x, y } = module.poles(payload, s);
+                     const { x, y } = module.default.poles(payload, s);
                      return [[...x], [...y]];
                    })""",
                 [view.payload, states],
@@ -402,7 +400,7 @@ class TestCoupledVehicle:
         with opened(browser, view) as page:
             found = page.evaluate(
                 """([payload, states, window]) => states.map(s => {
-                     const { start, present, names, runs } = module.paths(payload, s, window);
+                     const { start, present, names, runs } = module.default.paths(payload, s, window);
                      const pairs = ({ x, y }) => [...x].map((v, i) => [v, y[i]]);
                      const ends = runs.map(r => [r.at(-1).t, pairs(r.at(-1))]);
                      return [pairs(start), pairs(present), names, ends];
@@ -457,7 +455,7 @@ class TestCoupledVehicle:
             )
             assert mismatch(varied.poles(), np.array(poles)) < 1e-7
             double = math.log(2) / max(varied.poles().real)
-            assert f"doubles its motion every {double:.3g} s" in page.locator(".verdict").inner_text()
+            assert f"its motion doubles every {double:.3g} s" in page.locator(".verdict").inner_text()
 
 
 def _uncoupled(vehicle: control.StateSpace) -> np.ndarray:
@@ -493,21 +491,20 @@ class TestStationMap:
         gains += [{n: s[n] for n in self.GAINS} for s in random_states(view, 2, seed=5)]
         with opened(browser, view) as page:
             found = page.evaluate(
-                """async ([code, payload, gains]) => {
-                     const script = new Blob([code], { type: 'text/javascript' });
-                     const map = await import(URL.createObjectURL(script));
+                """async ([payload, gains]) => {
+                     const map = await import('/js/maths/abscissa.js');
                      return gains.map(g => [...map.rows(map.planOf(payload, g), [28, 7])]
                        .filter(r => r.values).map(({ step, jet, values }) => [step, jet, [...values]]));
                    }""",
-                [module("abscissa"), view.payload, gains],
+                [view.payload, gains],
             )
         for at, rows in zip(gains, found, strict=True):
-            family = station_maps.DualActuationFamily.of(PRINTED, **at)
+            loops = DUAL_ACTUATION.around(PRINTED)
             cells = [(jet, n * step, v) for step, jet, values in rows for n, v in enumerate(values)]
             picked = [cells[k] for k in rng.integers(len(cells), size=400)]
             jets, sensors, values = (np.array(c) for c in zip(*picked, strict=True))
-            ours = family(sensors, jets)
-            size = abs(np.linalg.eigvals(family.matrices(sensors, jets))).max(axis=1)
+            ours = loops.abscissas(**at, sensor=sensors, jet=jets)
+            size = abs(np.linalg.eigvals(loops.matrices(**at, sensor=sensors, jet=jets))).max(axis=1)
             assert (abs(values - ours) <= 1e-8 * np.maximum(1, size)).all(), at
 
     def test_map_comes_coarse_first_and_is_whole_in_the_end(self, browser):
@@ -547,6 +544,31 @@ class TestStationMap:
             ours = rl.dual_actuation(PRINTED, **design).poles().real.max()
             shows = "ours => Math.abs(+document.querySelector('.verdict').dataset.value - ours) < 1e-8"
             page.wait_for_function(shows, arg=ours)
+
+    def test_the_pair_is_dragged_over_whole_feet(self, browser):
+        view = view_of("station-map")
+        with opened(browser, view) as page:
+            canvas = page.locator("canvas[data-plane=stations]")
+            canvas.scroll_into_view_if_needed()
+            box = canvas.bounding_box()
+            foot = (box["width"] - 62) / 421
+
+            def place(sensor: float, jet: float) -> tuple[float, float]:
+                x = box["x"] + 50 + foot * (sensor + 0.5)
+                return x, box["y"] + box["height"] - 36 - (box["height"] - 46) * (jet + 0.5) / 421
+
+            start = page.evaluate("[state.sensor, state.jet]")
+            page.mouse.move(*place(*start))
+            page.mouse.down()
+            for share in (0.3, 0.7, 1.0):
+                page.mouse.move(
+                    *place(*(a + share * (b - a) for a, b in zip(start, (200.2, 250.3), strict=True)))
+                )
+            page.mouse.up()
+            page.wait_for_function("state.sensor === 200 && state.jet === 250")
+            page.wait_for_timeout(500)
+            page.get_by_role("button", name="undo").click()
+            assert page.evaluate("[state.sensor, state.jet]") == start, "a drag is one step"
 
     def test_without_a_worker_the_page_computes_in_turns(self, browser):
         view = MAKERS["station-map"]()

@@ -1,18 +1,22 @@
-"""Sweeps: whole, killed and resumed, on executors; and the station map that is made with them."""
+"""Sweeps: whole, killed and resumed, on workers; and the station map that is made with them."""
 
+import os
 import signal
 import subprocess
 import sys
 import textwrap
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
 
 import distributed
+import joblib
 import numpy as np
 import pytest
 import xarray as xr
 
 import rlswaim as rl
-from rlswaim.loops.station_maps import DualActuationFamily, station_map
+from rlswaim.loops.control_systems import DUAL_ACTUATION
+from rlswaim.loops.station_maps import station_map
 from rlswaim.loops.sweep import sweep
 
 GAINS = {"K_A": 4.0, "K_C": 10.0, "K_R": 0.4, "kK_z": 3e4, "K_r": 10.0, "b": 3.0}
@@ -23,8 +27,8 @@ def weigh(a, b):
     return 10 * a + b
 
 
-def quiet(function, grid, *arguments, **options):
-    return sweep(function, grid, *arguments, progress=False, **options)
+def quiet(function, grid, **options):
+    return sweep(function, grid, progress=False, **options)
 
 
 def test_every_point_has_its_value_unit_and_name():
@@ -35,10 +39,18 @@ def test_every_point_has_its_value_unit_and_name():
     assert found.attrs["rlswaim"]
 
 
-@pytest.mark.parametrize("pool", [ThreadPoolExecutor, ProcessPoolExecutor])
-def test_executors_give_what_one_process_gives(pool):
-    with pool(2) as executor:
-        xr.testing.assert_identical(quiet(weigh, GRID, executor, chunk=2), quiet(weigh, GRID, chunk=2))
+@pytest.mark.parametrize("backend", ["threading", "loky"])
+def test_workers_give_what_one_process_gives(backend):
+    with joblib.parallel_config(backend, n_jobs=2):
+        found = quiet(weigh, GRID, chunk=2)
+    xr.testing.assert_identical(found, quiet(weigh, GRID, chunk=2))
+
+
+@pytest.mark.parametrize("backend", ["sequential", "threading"])
+def test_the_progress_bar_counts_the_points(backend, capsys):
+    with joblib.parallel_config(backend, n_jobs=2):
+        sweep(weigh, GRID, chunk=4)
+    assert "15/15" in capsys.readouterr().err
 
 
 def test_a_saved_sweep_is_read_not_computed(tmp_path):
@@ -93,54 +105,33 @@ def test_bad_results_and_grids_are_refused():
         quiet(weigh, {"a": [1.0, np.nan], "b": [0.0]})
 
 
-def test_dask_with_a_worker_killed_on_the_way():
+def abscissas_of_a_mortal(loops, mark, **at):
+    """Return the abscissas at stations; the first process that gets so far dies instead, once."""
+    if at["sensor"][0] > 100 and not (mark := Path(mark)).exists():
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return loops.abscissas(**GAINS, **at)
+
+
+def test_dask_with_a_worker_killed_on_the_way(tmp_path):
     """Two workers on this machine, one of them killed: the map equals the serial one."""
     stations = np.arange(0.0, 421.0, 6.0)
     serial = station_map(rl.printed_equations(), stations, stations, **GAINS)
+    mark, loops = tmp_path / "killed", DUAL_ACTUATION.around(rl.printed_equations())
     with (
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50
         ) as cluster,
-        distributed.Client(cluster) as client,
+        distributed.Client(cluster),
+        joblib.parallel_config("dask"),
     ):
-        family = DualActuationFamily.of(rl.printed_equations(), **GAINS)
-        executor = client.get_executor()
-        kill = Killer(cluster)
-        found = quiet(family, {"sensor": stations, "jet": stations}, kill(executor), chunk=100)
-        assert kill.killed
+        mortal = partial(abscissas_of_a_mortal, loops, str(mark))
+        found = quiet(mortal, {"sensor": stations, "jet": stations}, chunk=100)
+    assert mark.exists()
     assert np.array_equal(found.values, serial.values)
 
 
-class Killer:
-    """Passes chunks on to an executor, and kills a worker of the cluster after the tenth."""
-
-    def __init__(self, cluster):
-        self.cluster, self.sent, self.killed = cluster, 0, False
-
-    def __call__(self, executor):
-        self.executor = executor
-        return self
-
-    def submit(self, *job):
-        self.sent += 1
-        if self.sent == 10:
-            next(iter(self.cluster.workers.values())).process.process._process.kill()
-            self.killed = True
-        return self.executor.submit(*job)
-
-
 # ---- the map over sensor and jet
-
-
-@pytest.mark.parametrize(
-    "eqs", [rl.printed_equations(), rl.perturbation_equations(rl.swaim_booster())], ids=["printed", "data"]
-)
-def test_the_family_is_the_closed_loop(eqs):
-    family, rng = DualActuationFamily.of(eqs, **GAINS), np.random.default_rng(1964)
-    for sensor, jet in rng.uniform(0, 420, (20, 2)):
-        wanted = rl.dual_actuation(eqs, **GAINS, sensor=sensor, jet=jet).A
-        scale = np.abs(wanted).max(axis=1, keepdims=True)
-        assert (np.abs(family.matrices(sensor, jet)[0] - wanted) <= 1e-12 * scale).all()
 
 
 def test_the_map_is_the_largest_real_part():

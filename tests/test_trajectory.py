@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from rlswaim.edition import ledger
+from rlswaim import ledger
 from rlswaim.edition.section_2 import computed
 from rlswaim.vehicle.trajectory import (
     Ascent,

@@ -12,17 +12,15 @@ from numpy.typing import NDArray
 
 from rlswaim.edition import section_7
 from rlswaim.edition.matching import printed_roots
-from rlswaim.edition.section_4 import K_C, closed_loop_roots
+from rlswaim.edition.printed_closures import final_design, printed_closure_3, printed_factors
+from rlswaim.edition.section_4 import closed_loop_roots
 from rlswaim.edition.section_5 import quartic
 from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import RigidBody, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import closed_polynomial, displacement_numerator
+from rlswaim.loops.transfer_functions import closed_polynomial, displacement_numerator, elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import constants, printed, read_table
-from rlswaim.vehicle.equations import ROWS, PerturbationEquations, printed_equations
-
-READ = {39: (7.15, -2.2), 140: (1.6, 5.4), 300: (-1.25, -1.25)}
-"""Deflections of both modes that the report's later numbers ask for, read off Figure 5, by station (ft)."""
+from rlswaim.vehicle.equations import ROWS, PerturbationEquations, printed_equations, with_reading
 
 
 class Cause(NamedTuple):
@@ -48,14 +46,27 @@ def causes() -> tuple[Cause, ...]:
     )
 
 
-def figures(x: float, digits: int) -> float:
-    """Return ``x`` to so many significant ``digits``, halves away from zero, as one writes them down."""
+def read_off() -> dict[int, tuple[float, float]]:
+    """Return the deflections of both modes that the report's later numbers ask for, by station (ft)."""
+    rows = read_table("deflections_read")
+    return {int(row["station_ft"]): (float(row["phi_1"]), float(row["phi_2"])) for row in rows}
+
+
+def rounded(x: float, digits: int) -> float:
+    """Return a number as one writes it down, with halves rounded away from zero.
+
+    Parameters
+    ----------
+    x : float
+    digits : int
+        How many significant digits are kept.
+    """
     return float(f"{x * (1 + 1e-12):.{digits - 1}e}")  # 24.65 goes up, as it does on paper
 
 
 def _undivided(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
     """Return Eqs. 61 to 76 with gain terms that are not divided by U."""
-    body = rigid_body(eqs)
+    body, K_C = rigid_body(eqs), p["fig8-K_C"]
     as_printed = RigidBody(*(p[f"eq61-{name}"] for name in ("c_0", "c_1", "g_0", "g_1")))
     gains = rigid_design(as_printed, omega=2.0, zeta=0.5, K_C=K_C)
     return {
@@ -86,10 +97,10 @@ def _digits(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]
 def _readings(eqs: PerturbationEquations) -> dict[str, float]:
     """Return gains and zeros that hang on deflections read off Figure 5."""
     drive = [eqs.coefficients["F1_delta"], eqs.coefficients["F2_delta"]]
-    sums = {x: sum(figures(p * f, 3) for p, f in zip(READ[x], drive, strict=True)) for x in (140, 300)}
-    loop, kK_z = closures.final_design()
-    read = closures.with_reading(eqs, loop.sensor, READ[39])
-    top = sum(figures(p * f, 3) for p, f in zip(READ[39], drive, strict=True))
+    sums = {x: sum(rounded(p * f, 3) for p, f in zip(read_off()[x], drive, strict=True)) for x in (140, 300)}
+    loop, kK_z = final_design()
+    read = with_reading(eqs, loop.sensor, read_off()[39])
+    top = sum(rounded(p * f, 3) for p, f in zip(read_off()[39], drive, strict=True))
     gain = -kK_z * loop.K_r * eqs.jet["Z"] * top / printed("IV")["eq92-gain"]
     zeros = section_7.paired("eq136-zero-", _eq136_zeros(read, loop))
     names = ("gain", "zero-r5", "zero-r6", "zero-c2-re", "zero-c2-im")
@@ -98,8 +109,9 @@ def _readings(eqs: PerturbationEquations) -> dict[str, float]:
 
 
 def _eq136_zeros(eqs: PerturbationEquations, loop: closures.JetLoop) -> NDArray:
-    before = closures.printed_factors("eq135-")
-    return np.array([-loop.b, *before, *roots(closures.elastic_numerator(eqs, "delta", loop)[:6])[1:]])
+    before = printed_factors("eq135-")
+    elastic = roots(elastic_numerator(eqs, loop.sensor, "delta", loop.jet)[:6])
+    return np.array([-loop.b, *before, *elastic[1:]])
 
 
 def printed_bracket() -> NDArray:
@@ -113,18 +125,29 @@ def printed_bracket() -> NDArray:
     return bracket
 
 
+def dropped_product(eqs: PerturbationEquations) -> NDArray:
+    """Return what phi_1(z) phi_1(r) loses in Eq. 133, powers s^0 to s^3: shape (4,).
+
+    The report's figures come out without Z_alpha (s + M_thetadot)(s^2 + F2_q2dot s + F2_q2), a
+    product of the cofactor (ours: the cause, found by subtracting).
+    """
+    c = eqs.coefficients
+    product = npp.polymul([c["M_thetadot"], 1.0], [c["F2_q2"], c["F2_q2dot"], 1.0])
+    return -1000 * eqs.jet["F1"] * c["Z_alpha"] * product
+
+
 def printed_closed_1(eqs: PerturbationEquations) -> NDArray:
-    """Return the characteristic polynomial of closure 1 from Eq. 133 as printed and `READ`."""
-    loop, kK_z = closures.final_design()
-    arms = [1, loop.jet - eqs.l_CG, *READ[140]]
-    braces = np.einsum("kij,i,j->k", printed_bracket(), READ[39], arms)
+    """Return the characteristic polynomial of closure 1 from Eq. 133 as printed and `read_off`."""
+    loop, kK_z = final_design()
+    arms = [1, loop.jet - eqs.l_CG, *read_off()[140]]
+    braces = np.einsum("kij,i,j->k", printed_bracket(), read_off()[39], arms)
     top = -printed("VII", "eq133-")["scale"] * kK_z * loop.K_r * npp.polymul([loop.b, 1.0], [0.0, *braces])
     return npp.polyadd(npp.polymul([loop.K_r, 1.0], eqs.characteristic_polynomial()), top)
 
 
 def _section_7(eqs: PerturbationEquations) -> dict[str, float]:
-    loop, _ = closures.final_design()
-    less = closures.literal_bracket(eqs)[:4, 0, 2] - closures.dropped_product(eqs)
+    loop, _ = final_design()
+    less = closures.literal_bracket(eqs)[:4, 0, 2] - dropped_product(eqs)
     alpha = closures.jet_numerator(eqs, loop, as_printed=True)
     return {
         **{f"eq133-s{power}-1-F1": float(value) for power, value in enumerate(less)},
@@ -137,9 +160,9 @@ def _section_7(eqs: PerturbationEquations) -> dict[str, float]:
 
 def _counts(loop: closures.JetLoop) -> dict[str, float]:
     """Return what the text counts, in Eq. 137 as printed."""
-    poles = np.array(closures.printed_factors("eq137-pole-"))
+    poles = np.array(printed_factors("eq137-pole-"))
     real = poles[poles.imag == 0]
-    opened = closures.printed_closure_3(*(constants("section_7")[name] for name in ("K_C", "K_R")))
+    opened = printed_closure_3(*(printed("VII", "fig25-")[name] for name in ("K_C", "K_R")))
     closed = roots(closed_polynomial(opened, 1e-6))
     return {
         "text-short": float(np.sum(np.abs(real + loop.b) > 0.1)),
@@ -164,6 +187,6 @@ def quartic_differences(eqs: PerturbationEquations) -> NDArray:
     rows = []
     for section, start, station in (("V", "eq108-z", 140), ("VI", "eq115-z", 300)):
         theirs = quartic(np.array(list(printed_roots(section, start).values())))
-        ours = displacement_numerator(closures.with_reading(eqs, station, READ[station]), station, b=0.0)[2:7]
+        ours = displacement_numerator(with_reading(eqs, station, read_off()[station]), station, b=0.0)[2:7]
         rows.append(theirs - ours / ours[-1])
     return np.array(rows)

@@ -9,15 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_continuous_lyapunov
 
+from rlswaim.edition.designs import found_gains
 from rlswaim.edition.search import abscissas, search, slow_bound, slow_roots
-from rlswaim.loops import family
+from rlswaim.loops import closed_loops
 from rlswaim.loops.certificates import slow_root_certificate
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, half_unit, read_table
+from rlswaim.source.tables import constants, half_unit
 from rlswaim.vehicle.booster import Booster
-from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
+from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_coefficients
 
 
 class Margin(NamedTuple):
@@ -33,21 +34,28 @@ def margin(poles: NDArray) -> Margin:
     return Margin(float(abscissas(one, apart=True)[0]), float(slow_roots(one)[0]))
 
 
-def found_gains(system: str) -> dict[str, float]:
-    """Return the gains and stations of a ``system`` (``dual_actuation``) that were found by hand."""
-    rows = read_table("gains_found")
-    checks.one_of("system", system, {r["system"] for r in rows}, "found_gains")
-    return {r["parameter"]: float(r["value"]) for r in rows if r["system"] == system}
-
-
 def closed_loop(eqs: PerturbationEquations, system: str) -> control.StateSpace:
-    """Return the closed loop of a ``system`` with the gains found by hand, as state space."""
-    return family.closed_loop(eqs, system, found_gains(system))
+    """Return the closed loop of a system with the gains found by hand, as state space.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        ``"dual_actuation"``.
+    """
+    return closed_loops.state_space(eqs, system, found_gains(system))
 
 
 def polynomial(eqs: PerturbationEquations, system: str) -> NDArray:
-    """Return the characteristic polynomial of the same ``system`` from determinants, constant term first."""
-    return family.determinants(eqs, system, found_gains(system))
+    """Return the characteristic polynomial of the same system from determinants, constant term first.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        ``"dual_actuation"``.
+    """
+    return closed_loops.polynomial(eqs, system, found_gains(system))
 
 
 def interlacing(eqs: PerturbationEquations) -> tuple[float, float]:
@@ -64,11 +72,9 @@ def constant_term(eqs: PerturbationEquations) -> tuple[float, float]:
     """Return N of theta/delta at s = 0, and how far the last printed digits of Eq. 38 can move it."""
     here = eqs.numerator("theta", "delta")[0]
     total = 0.0
-    for row in read_table("equations_as_printed"):
-        name = row["symbol"]
-        if name in eqs.coefficients:
-            moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half_unit(row["value"])}
-            total += abs(replace(eqs, coefficients=moved).numerator("theta", "delta")[0] - here)
+    for name, text in printed_coefficients().items():
+        moved = dict(eqs.coefficients) | {name: eqs.coefficients[name] + half_unit(text)}
+        total += abs(replace(eqs, coefficients=moved).numerator("theta", "delta")[0] - here)
     return float(here), float(total)
 
 
@@ -78,12 +84,26 @@ def unstable_root(booster: Booster) -> float:
 
 
 def stiffened(booster: Booster, factor: float) -> Booster:
-    """Return the vehicle with both free-free frequencies multiplied by a ``factor``."""
+    """Return the vehicle with other free-free frequencies.
+
+    Parameters
+    ----------
+    booster : Booster
+    factor : float
+        What the frequency of every mode is multiplied by.
+    """
     return replace(booster, modes=tuple(replace(m, omega=m.omega * factor) for m in booster.modes))
 
 
 def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
-    """Return the vehicle with the lift of ``payload`` surface and ``fins`` multiplied by these factors."""
+    """Return the vehicle with more or less lift.
+
+    Parameters
+    ----------
+    booster : Booster
+    payload, fins : float
+        What the lift of each surface is multiplied by.
+    """
     pairs = zip(booster.surfaces, (payload, fins), strict=True)
     return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
 
@@ -172,7 +192,7 @@ def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
     eqs = perturbation_equations(stiff)
     design = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=0.5, K_C=10)
     chosen = found_gains("dual_actuation") | {"kK_z": kK_z, "K_A": design.K_A, "K_R": design.K_R}
-    loop = family.closed_loop(eqs, "dual_actuation", chosen)
+    loop = closed_loops.state_space(eqs, "dual_actuation", chosen)
     gust = loop.B[:, [loop.input_labels.index("alpha_g")]]
     covariance = loop.C @ solve_continuous_lyapunov(loop.A, -gust @ gust.T) @ loop.C.T
     rms = dict(zip(loop.output_labels, np.sqrt(np.diag(covariance)), strict=True))

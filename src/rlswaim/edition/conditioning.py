@@ -1,14 +1,14 @@
 """How well printed coefficients fix the roots: first order, and Monte Carlo within the last digit.
 
 The state matrix of every loop here is an affine function of the 28 coefficients of Eq. 38 (U is taken as
-exact).  Its values at the coefficients and at one step in each of them therefore give it everywhere, for
-many sets of coefficients at once.  Zeros are roots too: those of theta over delta are the poles that are
+exact).  So the loops are a `Family` with the coefficients as its factors, and are evaluated for many sets of
+coefficients at once.  Zeros are roots too: those of theta over delta are the poles that are
 left when the thrust holds theta at rest.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import control
 import numpy as np
@@ -16,13 +16,14 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.edition.section_4 import CLOSED_LOOPS, K_C
-from rlswaim.loops.closures import final_design
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.edition.section_4 import CLOSED_LOOPS
+from rlswaim.loops.factors import as_text
+from rlswaim.loops.family import Family
 from rlswaim.loops.systems import dual_actuation, rate_attitude
-from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, half_unit, printed, read_table
-from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations
+from rlswaim.source.tables import half_unit, printed, read_table
+from rlswaim.vehicle.equations import COEFFICIENTS, PerturbationEquations, printed_coefficients
 
 Reduce = Callable[[NDArray, list[str]], NDArray]
 
@@ -42,25 +43,37 @@ WHOLE = without()
 
 
 def zeros_of_theta(A: NDArray, states: list[str]) -> NDArray:
-    """Return the matrices (..., n - 3, n - 3) of ``A`` while delta keeps theta at rest; ``states`` named."""
+    """Return the state matrices of what still moves while the thrust keeps theta at rest.
+
+    Parameters
+    ----------
+    A : ndarray, shape (..., n, n)
+        State matrices of a loop.
+    states : list of str
+        Names of its states.
+
+    Returns
+    -------
+    ndarray, shape (..., n - 3, n - 3)
+        Their eigenvalues are the zeros of theta over delta.
+    """
     at, thrust = states.index("x_thetadot"), states.index("x_delta")
     rest = [i for i, state in enumerate(states) if state not in ("x_theta", "x_thetadot", "x_delta")]
     delta = -A[..., [at], :][..., rest] / A[..., [at], :][..., [thrust]]
     return A[..., rest, :][..., rest] + A[..., rest, :][..., [thrust]] * delta
 
 
-class Family(NamedTuple):
-    """One loop for any coefficients: state matrices ``base + coefficients @ effects``, then ``reduce``."""
+class LoopInCoefficients(NamedTuple):
+    """One loop for any coefficients: a family with them as factors, and the states that ``reduce`` leaves."""
 
-    base: NDArray
-    effects: NDArray
+    family: Family
     coefficients: NDArray
-    states: list[str]
     reduce: Reduce
 
     def matrices(self, coefficients: NDArray) -> NDArray:
         """Return the state matrices (..., n, n) for ``coefficients`` (..., 28), ordered as COEFFICIENTS."""
-        return self.reduce(self.base + np.tensordot(coefficients, self.effects, axes=1), self.states)
+        factors = dict(zip(COEFFICIENTS, np.moveaxis(coefficients, -1, 0), strict=True))
+        return self.reduce(self.family.matrices(factors), list(self.family.states))
 
     @property
     def roots(self) -> NDArray:
@@ -69,12 +82,12 @@ class Family(NamedTuple):
         return found[np.lexsort((found.imag, np.round(np.abs(found), 9)))]
 
 
-def family(
+def loop_in_coefficients(
     eqs: PerturbationEquations,
     build: Callable[[PerturbationEquations], control.StateSpace],
     reduce: Reduce = WHOLE,
-) -> Family:
-    """Return the family of one loop.
+) -> LoopInCoefficients:
+    """Return one loop for any coefficients.
 
     Parameters
     ----------
@@ -84,19 +97,22 @@ def family(
         Equations to closed loop, for instance a call of `rate_attitude` with fixed gains.
     reduce : callable
         From state matrices and names of the states to those wanted: `without` or `zeros_of_theta`.
+
+    Returns
+    -------
+    LoopInCoefficients
     """
-    checks.instance("eqs", eqs, PerturbationEquations, "family")
-    values = np.array([eqs.coefficients[name] for name in COEFFICIENTS])
-    start = build(eqs)
-    effects = []
-    for name, value in eqs.coefficients.items():
-        moved = replace(eqs, coefficients=dict(eqs.coefficients) | {name: value + 1.0})
-        effects.append(build(moved).A - start.A)
-    base = start.A - np.tensordot(values, effects, axes=1)
-    return Family(base, np.array(effects), values, list(start.state_labels), reduce)
+    checks.instance("eqs", eqs, PerturbationEquations, "loop_in_coefficients")
+
+    def closed_loop(**coefficients: float) -> control.StateSpace:
+        return build(replace(eqs, coefficients=coefficients))
+
+    # The first row is divided by U, so that a sum of its entries is rounded.
+    family = Family.of(closed_loop, [(name,) for name in COEFFICIENTS], tolerance=1e-12)
+    return LoopInCoefficients(family, np.array([eqs.coefficients[name] for name in COEFFICIENTS]), reduce)
 
 
-def sensitivity(loop: Family) -> NDArray:
+def sensitivity(loop: LoopInCoefficients) -> NDArray:
     """Return c ds/dc (1/s) of each root of a ``loop``: shape (n, 28), complex.
 
     An entry is by how much the root moves for a relative change 1 of a coefficient, to first order.
@@ -113,23 +129,22 @@ def sensitivity(loop: Family) -> NDArray:
 
 def half_units() -> NDArray:
     """Return half a unit of the last printed digit of each coefficient, shape (28,)."""
-    text = {row["symbol"]: row["value"] for row in read_table("equations_as_printed")}
-    return np.array([half_unit(text[name]) for name in COEFFICIENTS])
+    return np.array([half_unit(text) for text in printed_coefficients().values()])
 
 
-def monte_carlo(loop: Family, samples: int = 2000, seed: int = 1964) -> NDArray:
+def monte_carlo(loop: LoopInCoefficients, samples: int = 2000, seed: int = 1964) -> NDArray:
     """Return the roots for coefficients uniform within half a unit of their last printed digit.
 
     Parameters
     ----------
-    loop : Family
+    loop : LoopInCoefficients
     samples : int
     seed : int
 
     Returns
     -------
     ndarray of complex, shape (samples, n)
-        Column j holds what `Family.roots` [j] becomes: sets are paired by least total distance.
+        Column j holds what `LoopInCoefficients.roots` [j] becomes: sets are paired by least total distance.
     """
     offsets = np.random.default_rng(seed).uniform(-1, 1, (samples, len(COEFFICIENTS))) * half_units()
     found = np.linalg.eigvals(loop.matrices(loop.coefficients + offsets))
@@ -138,13 +153,13 @@ def monte_carlo(loop: Family, samples: int = 2000, seed: int = 1964) -> NDArray:
     return np.take_along_axis(found, columns, axis=1)
 
 
-def first_order_spread(loop: Family) -> NDArray:
+def first_order_spread(loop: LoopInCoefficients) -> NDArray:
     """Return the standard deviation (1/s) of each root of a ``loop``, shape (n,), to first order."""
     relative = half_units() / np.abs(loop.coefficients)
     return np.sqrt((np.abs(sensitivity(loop)) ** 2) @ (relative**2 / 3))
 
 
-def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Family]:
+def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, LoopInCoefficients]:
     """Return the loops whose roots the report prints or plots, by the place where it does.
 
     Parameters
@@ -153,15 +168,16 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Fam
     K_A : float
         Amplifier gain of closure 3, for which the report names none; the other gains are printed.
     """
-    number, chosen, (jet, kK_z) = printed("IV"), constants("section_7"), final_design()
+    number, chosen, (jet, kK_z) = printed("IV"), printed("VII", "fig25-"), final_design()
 
-    def attitude(gyro: float | None, gain: float, reduce: Reduce = WHOLE) -> Family:
-        K_R = number["eq75-K_R"]
-        return family(eqs, lambda e: rate_attitude(e, K_A=gain, K_C=K_C, K_R=K_R, gyro=gyro), reduce)
+    def attitude(gyro: float | None, gain: float, reduce: Reduce = WHOLE) -> LoopInCoefficients:
+        K_C, K_R = number["fig8-K_C"], number["eq75-K_R"]
+        fixed: dict[str, Any] = {"K_A": gain, "K_C": K_C, "K_R": K_R, "gyro": gyro}
+        return loop_in_coefficients(eqs, lambda e: rate_attitude(e, **fixed), reduce)
 
-    def closure(gain: float, reduce: Reduce = WHOLE) -> Family:
+    def closure(gain: float, reduce: Reduce = WHOLE) -> LoopInCoefficients:
         rest = {"K_C": chosen["K_C"], "K_R": chosen["K_R"], "kK_z": kK_z, **jet._asdict()}
-        return family(eqs, lambda e: dual_actuation(e, K_A=gain, **rest), reduce)
+        return loop_in_coefficients(eqs, lambda e: dual_actuation(e, K_A=gain, **rest), reduce)
 
     loops = {"Eq. 41": attitude(None, 0.0, without("x_theta", "x_delta"))}
     loops["Eq. 92, zeros"] = attitude(None, 1.0, zeros_of_theta)
@@ -173,13 +189,20 @@ def printed_loops(eqs: PerturbationEquations, K_A: float = 3.0) -> dict[str, Fam
     return loops | {"closure 2": closure(1.0, zeros_of_theta), "closure 3": closure(K_A)}
 
 
-def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
-    """Return what the printed digits say of each root of some ``loops``, one row for a real root or a pair.
+def root_spreads(loops: Mapping[str, LoopInCoefficients], samples: int = 2000) -> pd.DataFrame:
+    """Return what the printed digits say of each root of some loops, one row for a real root or a pair.
+
+    Parameters
+    ----------
+    loops : mapping of str to LoopInCoefficients
+        By a name for the table.
+    samples : int
+        How many sets of coefficients are drawn.
 
     Returns
     -------
     DataFrame
-        Columns: loop; root (1/s, upper one of a pair); spread (standard deviation of so many ``samples``
+        Columns: loop; root (1/s, upper one of a pair); spread (standard deviation of the samples
         over |root|); first order (the same to first order); real part (standard deviation of the real
         part over its size); right (share of samples right of the axis); coefficient (the one that moves
         the root most) and factor (percent of |root| for one percent of that coefficient).
@@ -210,7 +233,7 @@ def table(loops: Mapping[str, Family], samples: int = 2000) -> pd.DataFrame:
 
 
 def as_texts(rows: pd.DataFrame) -> pd.DataFrame:
-    """Return the ``rows`` of `table` as texts for a page, with numbers in percent."""
+    """Return the ``rows`` of `root_spreads` as texts for a page, with numbers in percent."""
     latex = {row["symbol"]: f"${row['latex']}$" for row in read_table("coefficients")}
     percent = {
         "spread (%)": "spread",

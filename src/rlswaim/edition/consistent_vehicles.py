@@ -39,7 +39,7 @@ def flight_conditions(
     t, U, h = printed.t, printed.U, printed.h
 
     def in_the_air(t: float, U: float, h: float) -> FlightCondition:
-        return FlightCondition(q_D=float(dynamic_pressure(h, U)[0]), U=U, h=h, t=t)
+        return FlightCondition(float(dynamic_pressure(h, U)[0]), U, h, t, gamma_0(t))
 
     def flown(path: Trajectory, t: float) -> FlightCondition:
         at = path.at(t)

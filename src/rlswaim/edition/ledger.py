@@ -12,8 +12,8 @@ from functools import cache
 
 import pandas as pd
 
-from rlswaim.edition import causes, sections
-from rlswaim.source.tables import half_unit, printed_rows
+from rlswaim.edition import causes, section_2, section_3, section_4, section_5, section_6, section_7
+from rlswaim.source.tables import half_unit, printed_rows, read_table
 
 VERDICTS = (
     "agrees",
@@ -25,6 +25,16 @@ VERDICTS = (
     "carried over from a slip",
     "not reproducible",
 )
+
+SECTIONS: dict[str, Callable[[], dict[str, float]]] = {
+    "II": section_2.computed,
+    "III": section_3.computed,
+    "IV": section_4.computed,
+    "V": section_5.computed,
+    "VI": section_6.computed,
+    "VII": section_7.computed,
+}
+"""What computes the numbers beside those of each section."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +82,7 @@ def ledger() -> tuple[Entry, ...]:
         If a row of the table has no computation behind it.
     """
     entries = []
-    for section, compute in sections.SECTIONS.items():
+    for section, compute in SECTIONS.items():
         entries += _section(section, compute)
     return tuple(entries)
 
@@ -96,7 +106,7 @@ def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entr
     ]
 
 
-def table(entries: Iterable[Entry]) -> pd.DataFrame:
+def as_frame(entries: Iterable[Entry]) -> pd.DataFrame:
     """Return ``entries`` as a table for a page, every cell as text.
 
     Columns: where, quantity, printed, computed, unit, difference (%), verdict, why; indexed by id.
@@ -128,21 +138,47 @@ def frame(section: str, start: str = "") -> pd.DataFrame:
     Returns
     -------
     DataFrame
-        As `table`.
+        As `as_frame`.
     """
-    return table(e for e in ledger() if e.section == section and e.id.startswith(start))
+    return as_frame(e for e in ledger() if e.section == section and e.id.startswith(start))
+
+
+def coefficient_frame() -> pd.DataFrame:
+    """Return one row for each coefficient of Eq. 29, indexed by its name.
+
+    Returns
+    -------
+    DataFrame
+        Columns: symbol (TeX), printed, computed, difference (%), unit, formula (TeX), verdict.
+        The printed number is the one that stands in Eq. 38 (Z_thetadot - U for Z_thetadot).
+    """
+    found = {entry.id: entry for entry in ledger()}
+    rows = {}
+    for row in read_table("coefficients"):
+        entry = found[f"eq38-{row['symbol']}"]
+        tail = "-U" if row["symbol"] == "Z_thetadot" else ""
+        rows[row["symbol"]] = {
+            "symbol": f"${row['latex']}{tail}$",
+            "printed": entry.printed,
+            "computed": f"{entry.computed:.5g}",
+            "difference (%)": f"{entry.percent:+.2f}",
+            "unit": row["unit"],
+            "formula": f"${row['formula']}{tail}$",
+            "verdict": entry.verdict,
+        }
+    return pd.DataFrame.from_dict(rows, orient="index")
 
 
 def errata() -> pd.DataFrame:
-    """Return every entry that does not agree, rounding included, as `table` without the difference."""
-    return table(e for e in ledger() if not e.agrees).drop(columns="difference (%)")
+    """Return every entry that does not agree, rounding included, as `as_frame` without the difference."""
+    return as_frame(e for e in ledger() if not e.agrees).drop(columns="difference (%)")
 
 
 def counts() -> pd.DataFrame:
     """Return how many entries each section (rows, and "all") has of each verdict (columns, and "all")."""
     rows = pd.DataFrame([(e.section, e.verdict) for e in ledger()], columns=["section", "verdict"])
     found = pd.crosstab(rows.section, rows.verdict, margins=True, margins_name="all")
-    found = found.reindex(index=[*sections.SECTIONS, "all"], columns=[*VERDICTS, "all"], fill_value=0)
+    found = found.reindex(index=[*SECTIONS, "all"], columns=[*VERDICTS, "all"], fill_value=0)
     return found.rename_axis(columns=None)
 
 

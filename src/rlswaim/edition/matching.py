@@ -6,12 +6,13 @@ An id ends in the kind of number: ``-root`` (a real root), ``-re`` and ``-im``
 """
 
 from collections import defaultdict
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.source.tables import printed
+from rlswaim.source.tables import printed, printed_rows
 from rlswaim.vehicle.equations import PerturbationEquations
 
 KINDS = {
@@ -26,9 +27,22 @@ KINDS = {
 
 
 def as_written(eqs: PerturbationEquations, *starts: str) -> dict[str, float]:
-    """Return the entries of Eq. 38's matrix and thrust column, for each start of ids in ``starts``."""
+    """Return the entries of Eq. 38's matrix and thrust column as the report writes them.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    *starts : str
+        Starts of ids, for instance ``"eq38-"``; the entries are returned for each of them.
+    """
     entries = {**eqs.coefficients, "Z_thetadot": eqs.coefficients["Z_thetadot"] - eqs.U, "U": eqs.U}
     return {f"{start}{name}": value for start in starts for name, value in entries.items()}
+
+
+def choices(section: str) -> dict[str, float]:
+    """Return the gains and stations that a ``section`` chooses and that the computations take from it."""
+    chosen = {row["id"] for row in printed_rows(section) if row["quantity"].endswith("(a choice)")}
+    return {name: number for name, number in printed(section).items() if name in chosen}
 
 
 def _root(kinds: dict[str, float]) -> complex:
@@ -43,7 +57,14 @@ def _root(kinds: dict[str, float]) -> complex:
 
 
 def printed_roots(section: str, start: str) -> dict[str, complex]:
-    """Return printed roots (1/s) of a ``section`` by name, of rows whose id begins with ``start``."""
+    """Return printed roots (1/s) by name.
+
+    Parameters
+    ----------
+    section : str
+    start : str
+        How the ids of their rows begin.
+    """
     groups: dict[str, dict[str, float]] = defaultdict(dict)
     for id_, value in printed(section).items():
         name, _, kind = id_.rpartition("-")
@@ -74,3 +95,21 @@ def roots_beside(section: str, start: str, computed: NDArray) -> dict[str, float
     pairs = dict(zip(np.array(list(theirs))[rows], ours[columns], strict=True))
     ids = [id_ for id_ in printed(section) if id_.rpartition("-")[0] in pairs]
     return {i: float(KINDS[i.rpartition("-")[2]](pairs[i.rpartition("-")[0]])) for i in ids}
+
+
+def listed(values: Iterable[complex], digits: int = 3) -> str:
+    """Return roots as text, one of each pair: ``-1.543, -0.012 ± 1.150j``.
+
+    Parameters
+    ----------
+    values : iterable of complex
+        Roots (1/s).
+    digits : int
+        Digits after the point.
+
+    Returns
+    -------
+    str
+    """
+    upper = sorted((complex(v) for v in values if np.imag(v) >= 0), key=lambda v: (v.real, v.imag))
+    return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)

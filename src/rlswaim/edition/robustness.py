@@ -10,13 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.edition.search import abscissas, slow_roots
-from rlswaim.loops.family import state_matrices
+from rlswaim.loops.closed_loops import state_space
+from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
+from rlswaim.vehicle.modes import BendingMode
 
 ACTUATORS = {"thrust": 7, "jet": 8}
-"""Row of each actuator in `closing.state_matrices`: there the loop is opened."""
+"""Row of each actuator in the state matrix of `dual_actuation`: there the loop is opened."""
 FACTORS = np.geomspace(1e-3, 1e3, 6001)
 """Loop gains that are tried, a quarter of a percent apart."""
 
@@ -30,12 +32,11 @@ class Margins(NamedTuple):
 
 
 def _matrix(eqs: PerturbationEquations, gains: Mapping[str, float]) -> NDArray:
-    return state_matrices(eqs, {name: np.array([x]) for name, x in gains.items()})[0]
+    return state_space(eqs, "dual_actuation", gains).A
 
 
-def _bent(eqs: PerturbationEquations, factors: tuple[float, ...]) -> PerturbationEquations:
-    modes = [replace(m, deflections=m.deflections * f) for m, f in zip(eqs.modes, factors, strict=True)]
-    return replace(eqs, modes=(modes[0], modes[1]))
+def _bent(modes: tuple[BendingMode, ...], factors: NDArray) -> tuple[BendingMode, ...]:
+    return tuple(replace(m, deflections=m.deflections * f) for m, f in zip(modes, factors, strict=True))
 
 
 def misread(eqs: PerturbationEquations, gains: Mapping[str, float], by: float = 0.05) -> NDArray:
@@ -54,13 +55,13 @@ def misread(eqs: PerturbationEquations, gains: Mapping[str, float], by: float = 
     ndarray of complex, shape (16, 9)
         All combinations of signs (1/s).
     """
-    corners = [tuple(1 + by * np.array(signs)) for signs in product((-1, 1), repeat=2)]
-    matrices = []
-    for at_sensor, at_jet in product(corners, repeat=2):
-        A, B = (_matrix(_bent(eqs, factors), gains) for factors in (at_sensor, at_jet))
-        A[:, 8] = B[:, 8]
-        matrices.append(A)
-    return np.linalg.eigvals(np.array(matrices))
+    loops, at_jet = DUAL_ACTUATION.around(eqs), DUAL_ACTUATION.stations["jet"]
+    read = [
+        replace(loops, modes=_bent(eqs.modes, 1 + by * np.array(signs))).factors(**gains)
+        for signs in product((-1, 1), repeat=2)
+    ]
+    pairs = [first | {name: second[name] for name in at_jet} for first, second in product(read, repeat=2)]
+    return np.linalg.eigvals(np.array([loops.family.matrices(factors) for factors in pairs]))
 
 
 def reshaped(booster: Booster, gains: Mapping[str, float], by: float = 0.05) -> NDArray:

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import differential_evolution
 
-from rlswaim.loops.family import LOOPS, closed_loop, determinants, state_matrices, with_pair
+from rlswaim.loops.closed_loops import LOOPS, polynomial, state_space
+from rlswaim.loops.control_systems import ControlledVehicle
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source import checks
 from rlswaim.source.tables import constants, read_table
@@ -24,7 +25,7 @@ OBJECTIVES = {
     "pair-all": "all roots, a pair held at 2 rad/s and .5",
     "pair-apart": "all but a slow one, the pair held",
 }
-"""Whose abscissa shall be least; ``pair``: with the K_A and K_R that put a pair at `rigid_body.WANTED`."""
+"""Whose abscissa shall be least; ``pair``: with the K_A and K_R that put a pair at `WANTED`."""
 OUT_OF_BOUNDS = 1e6
 SEEDS, ROUNDS, PEOPLE = range(1964, 1970), 1000, 15
 """Of the long searches: an evolution for each seed; generations; loops in each for each unknown."""
@@ -59,7 +60,19 @@ def slow_roots(poles: NDArray) -> NDArray:
 
 
 def abscissas(poles: NDArray, apart: bool) -> NDArray:
-    """Return the largest real part (1/s) in each row of ``poles`` (S, n), a slow real one set ``apart``."""
+    """Return the largest real part (1/s) in each row of poles, a slow real one set apart or not.
+
+    Parameters
+    ----------
+    poles : ndarray of complex, shape (S, n)
+        In 1/s.
+    apart : bool
+        Whether a slow real root does not count.
+
+    Returns
+    -------
+    ndarray, shape (S,)
+    """
     at, slow = np.abs(poles).argmin(axis=1)[:, None], apart & ~np.isnan(slow_roots(poles))[:, None]
     return np.where(slow & (np.arange(poles.shape[1]) == at), -np.inf, poles.real).max(axis=1)
 
@@ -74,9 +87,9 @@ def _spread(row: Mapping[str, str], u: NDArray) -> NDArray:
     return float(spread) * np.sinh((2 * u - 1) * np.arcsinh(high / float(spread)))
 
 
-def _objective(eqs: PerturbationEquations, gains: Mapping[str, NDArray], objective: str) -> NDArray:
+def _objective(loops: ControlledVehicle, gains: Mapping[str, NDArray], objective: str) -> NDArray:
     """Return the abscissas (1/s) at many gains; shape (S,)."""
-    return abscissas(np.linalg.eigvals(state_matrices(eqs, gains)), objective.endswith("apart"))
+    return abscissas(np.linalg.eigvals(loops.matrices(**gains)), objective.endswith("apart"))
 
 
 def search(
@@ -104,20 +117,20 @@ def search(
     """
     rows = bounds(system)
     checks.one_of("objective", objective, tuple(OBJECTIVES), "search")
-    pair = objective.startswith("pair")
+    loops, pair = LOOPS[system].around(eqs), objective.startswith("pair")
     fixed = {name for name, row in rows.items() if row["low"] == row["high"]}
     sought = [name for name in rows if name not in fixed | ({"K_A", "K_R"} if pair else set())]
 
     def gains(u: NDArray) -> dict[str, NDArray]:
         chosen = {name: _spread(rows[name], x) for name, x in zip(sought, u, strict=True)}
         chosen |= {name: _spread(rows[name], np.zeros(u.shape[1])) for name in fixed}
-        return with_pair(eqs, chosen) if pair else chosen
+        return loops.with_pair(chosen) if pair else chosen
 
     def cost(u: NDArray) -> NDArray:
         g = gains(u)
         outside = np.any([~(np.abs(g[n]) <= float(rows[n]["high"])) for n in ("K_A", "K_R")], axis=0)
         inside = {name: np.where(outside, 1.0, x) for name, x in g.items()}
-        return np.where(outside, OUT_OF_BOUNDS, _objective(eqs, inside, objective))
+        return np.where(outside, OUT_OF_BOUNDS, _objective(loops, inside, objective))
 
     cube = [(0.0, 1.0)] * len(sought)
     best = differential_evolution(
@@ -132,7 +145,7 @@ def search(
         updating="deferred",
     )
     winner = {name: float(f"{x[0]:.9g}") for name, x in gains(best.x[:, None]).items()}
-    value = _objective(eqs, {name: np.array([x]) for name, x in winner.items()}, objective)
+    value = _objective(loops, {name: np.array([x]) for name, x in winner.items()}, objective)
     return Found(system, objective, winner, float(value[0]), seed, (rounds + 1) * people * len(sought))
 
 
@@ -154,10 +167,19 @@ def winners() -> tuple[Found, ...]:
 
 
 def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str, str]]:
-    """Return the winners of one ``system`` as columns of texts, the bounds in the first.
+    """Return the winners of one system as columns of texts, the bounds in the first.
 
-    The rows are its gains and stations, then, for the vehicle of ``eqs``: the largest real part
-    counted, from the wired state space and from determinants, the slow root, its time constant.
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system : str
+        One of `LOOPS`.
+
+    Returns
+    -------
+    dict of str to dict of str to str
+        The rows are the gains and stations, then the largest real part counted, from the wired
+        state space and from determinants, the slow root and its time constant.
     """
     rows = bounds(system)
     columns = {"between": {_named(n, r): _between(r) for n, r in rows.items()}}
@@ -180,9 +202,9 @@ def _between(row: Mapping[str, str]) -> str:
 
 
 def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
-    poles = closed_loop(eqs, found.system, found.gains).poles()
+    poles = state_space(eqs, found.system, found.gains).poles()
     ways, apart = (
-        (poles, roots(determinants(eqs, found.system, found.gains))),
+        (poles, roots(polynomial(eqs, found.system, found.gains))),
         found.objective.endswith("apart"),
     )
     first, second = (f"{abscissas(p[None], apart)[0]:.4f}" for p in ways)

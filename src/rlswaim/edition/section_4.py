@@ -2,50 +2,51 @@
 
 import numpy as np
 
-from rlswaim.edition.matching import as_written, roots_beside
+from rlswaim.edition.matching import as_written, choices, roots_beside
 from rlswaim.loops.certificates import gain_terms, gains_for_pole
+from rlswaim.loops.factors import factored
 from rlswaim.loops.rigid_body_design import WANTED, RigidBody, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import denominator, factors, theta_loop
+from rlswaim.loops.transfer_functions import denominator, theta_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.rootlocus.polynomials import roots
-from rlswaim.source.tables import printed, read_table
+from rlswaim.source.tables import printed
 from rlswaim.vehicle.booster import swaim_booster
 from rlswaim.vehicle.equations import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 
-K_C = 10.0
 CLOSED_LOOPS = {"77": (60, 3), "78": (60, 4), "79": (400, 3), "80": (400, 4), "81": (304, 3), "82": (304, 4)}
 """Gyro station (ft) and order of the closed loops of Eqs. 77 to 82."""
 
 
 def closed_loop_roots(
-    eqs: PerturbationEquations, K_A: float, K_R: float, gyro: float | None, order: int = 4, K_C: float = K_C
+    eqs: PerturbationEquations,
+    K_A: float,
+    K_R: float,
+    gyro: float | None,
+    order: int = 4,
+    K_C: float | None = None,
 ) -> np.ndarray:
     """Return closed-loop roots (1/s) [Eqs. 76-82].
 
     Parameters
     ----------
     eqs : PerturbationEquations
-    K_A, K_R, K_C : float
-        Amplifier (rad/rad), rate gyro (s) and actuator (1/s) gains.
+    K_A, K_R : float
+        Amplifier (rad/rad) and rate gyro (s) gains.
     gyro : float or None
         Station of the gyro package (ft); None feeds back the rigid-body angle only.
     order : int
         2 for the rigid body alone, 3 with the first mode, 4 with both.
+    K_C : float, optional
+        Actuator gain (1/s); without one, that of Figure 8.
     """
+    K_C = printed("IV")["fig8-K_C"] if K_C is None else K_C
     return root_locus(theta_loop(eqs, K_C, K_R, gyro, order=order), [K_A]).roots[0]
-
-
-def _choices() -> dict[str, float]:
-    """Return the gains in the captions of Figures 8 to 11, as the computations take them."""
-    rows = [r for r in read_table("designs") if r["name"].startswith("Figure")]
-    rows = [r for r in rows if r["parameter"].startswith("K_")]
-    return {f"fig{r['name'].split()[1]}-{r['parameter']}": float(r["value"]) for r in rows}
 
 
 def _data() -> dict[str, float]:
     booster = swaim_booster()
     eqs = perturbation_equations(booster)
-    found = as_written(printed_equations(), "eq59-", "eq60-", "eq76-") | _choices()
+    found = as_written(printed_equations(), "eq59-", "eq60-", "eq76-") | choices("IV")
     found |= {f"eq59-gust_{row}": -eqs.coefficients[f"{row}_alpha"] for row in ROWS}
     for station in (60, 400, 304):
         found[f"sigma-{station}-mode1"] = booster.modes[0].slope(station)
@@ -55,6 +56,7 @@ def _data() -> dict[str, float]:
 def _design(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
     """Follow Eqs. 61 to 76 from the printed c_0 and c_1, with the gain terms divided by U as well."""
     body = rigid_body(eqs)
+    K_C = p["fig8-K_C"]
     body = RigidBody(c_0=p["eq61-c_0"], c_1=p["eq61-c_1"], g_0=body.g_0, g_1=body.g_1)
     gains = rigid_design(body, omega=2.0, zeta=0.5, K_C=K_C)
     ours = rigid_body(eqs)
@@ -84,29 +86,31 @@ def _closed_loops(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, 
         ours = closed_loop_roots(eqs, p["eq75-K_A"], p["eq75-K_R"], gyro, order)
         found |= roots_beside("IV", f"eq{number}-", ours)
     found |= roots_beside("IV", "fig8-", closed_loop_roots(eqs, p["eq84-K_A"], p["eq75-K_R"], 60))
-    found |= roots_beside("IV", "fig11-", closed_loop_roots(eqs, -3.14, -0.286, None, K_C=1.75))
+    found |= roots_beside(
+        "IV", "fig11-", closed_loop_roots(eqs, p["fig11-K_A"], p["fig11-K_R"], None, K_C=p["fig11-K_C"])
+    )
     return found
 
 
-def _polynomial(eqs: PerturbationEquations) -> dict[str, float]:
+def _polynomial(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
     short = {"1": "free", "K_C": "KC", "K_A K_C": "KAKC", "K_A K_C K_R": "KAKCKR"}
     found = {
         f"eq83-s{power}-{short[name]}": float(value)
         for name, polynomial in gain_terms(eqs, 60).items()
         for power, value in enumerate(polynomial)
     }
-    found["eq84-K_A"], found["eq84-K_R"] = gains_for_pole(eqs, WANTED, K_C, 60)
+    found["eq84-K_A"], found["eq84-K_R"] = gains_for_pole(eqs, WANTED, p["fig8-K_C"], 60)
     return found
 
 
-def _transfer_functions(eqs: PerturbationEquations) -> dict[str, float]:
+def _transfer_functions(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
     found: dict[str, float] = {}
     for number, output in (("92", "theta"), ("93", "q1"), ("94", "q2")):
         numerator = eqs.numerator(output, "delta")
         found[f"eq{number}-gain"] = float(numerator[5])
         found |= roots_beside("IV", f"eq{number}-z", roots(numerator))
-    found |= roots_beside("IV", "eq92-p", roots(denominator(eqs, K_C)))
-    gain, zeros, _ = factors(theta_loop(eqs, 1.0, 1.0, 60))
+    found |= roots_beside("IV", "eq92-p", roots(denominator(eqs, p["fig8-K_C"])))
+    gain, zeros, _ = factored(theta_loop(eqs, 1.0, 1.0, 60))
     found |= {"eq95-gain": gain} | roots_beside("IV", "eq95-z", zeros[np.abs(zeros + 1) > 1e-9])
     return found | {"fig8-limit": max(abs(zeros))}
 
@@ -118,5 +122,5 @@ def computed() -> dict[str, float]:
     to 76) is followed with the division by U that the report leaves out.
     """
     eqs, p = printed_equations(), printed("IV")
-    found = _data() | _closed_loops(eqs, p) | _polynomial(eqs) | _transfer_functions(eqs)
+    found = _data() | _closed_loops(eqs, p) | _polynomial(eqs, p) | _transfer_functions(eqs, p)
     return found | _design(eqs, p)

@@ -4,38 +4,52 @@ import control
 import numpy as np
 from numpy.polynomial import polynomial as npp
 
-from rlswaim.edition.matching import KINDS, printed_roots, roots_beside
-from rlswaim.edition.section_4 import K_C
+from rlswaim.edition.matching import KINDS, choices, printed_roots, roots_beside
+from rlswaim.loops.factors import factored, from_factors
 from rlswaim.loops.rigid_body_design import WANTED
-from rlswaim.loops.transfer_functions import factors, from_factors, inner_loop
+from rlswaim.loops.transfer_functions import inner_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.equations import printed_equations
 
-K_R, K_Z, SENSOR = 0.625, 0.054, 140.0
-
 
 def printed_poles() -> list[complex]:
     """Return the open-loop poles (1/s) of Eqs. 108 and 115 as printed, those at the origin and -K_C too."""
-    return [0.0, -K_C, *printed_roots("IV", "eq92-p").values()]
+    return [0.0, -printed("V")["fig15-K_C"], *printed_roots("IV", "eq92-p").values()]
 
 
 def printed_inner_loop() -> control.TransferFunction:
     """Return Eq. 108 as printed, for K_z = 1 and K_C = 10."""
     zeros = [0.0, -1.0, *printed_roots("V", "eq108-z").values()]
-    return from_factors(K_C * printed("V")["eq108-gain"], zeros, printed_poles())
+    p = printed("V")
+    return from_factors(p["fig15-K_C"] * p["eq108-gain"], zeros, printed_poles())
 
 
-def printed_outer_loop(K_z: float = K_Z) -> control.TransferFunction:
-    """Return Eq. 111 for K_A = 1, its poles the roots of the printed Eq. 108 closed at ``K_z`` (rad s/ft)."""
+def printed_outer_loop(K_z: float | None = None) -> control.TransferFunction:
+    """Return Eq. 111 for K_A = 1; its poles are the roots of the printed Eq. 108 closed at ``K_z``.
+
+    Without a ``K_z`` (rad s/ft) it is that of Figure 16.
+    """
+    chosen = printed("V", "fig16-")
+    K_R, K_z = chosen["K_R"], chosen["K_z"] if K_z is None else K_z
     zeros = [-1 / K_R, *printed_roots("IV", "eq92-z").values()]
     poles = root_locus(printed_inner_loop(), [K_z]).roots[0]
-    gain = printed("V")["eq109-gain"] * K_C * K_R
+    gain = printed("V")["eq109-gain"] * chosen["K_C"] * K_R
     return from_factors(gain, zeros, poles[poles.imag >= 0])
 
 
 def nearest_gain(loop: control.TransferFunction, wanted: complex, gains: np.ndarray) -> tuple[float, complex]:
-    """Return which of ``gains`` brings a root of ``loop`` nearest to a ``wanted`` one, and that root."""
+    """Return which gain brings a closed-loop root nearest to a wanted one, and that root (1/s).
+
+    Parameters
+    ----------
+    loop : control.TransferFunction
+        Open loop.
+    wanted : complex
+        In 1/s.
+    gains : ndarray, shape (K,)
+        Gains to choose from.
+    """
     found = root_locus(loop, gains).roots
     row, column = np.unravel_index(np.abs(found - wanted).argmin(), found.shape)
     return float(gains[row]), complex(found[row, column])
@@ -54,14 +68,13 @@ def computed() -> dict[str, float]:
     followed along the printed zeros.
     """
     eqs = printed_equations()
-    gain, zeros, _ = factors(inner_loop(eqs, K_C, SENSOR))
-    outer = printed_outer_loop()
-    short = root_locus(outer, [39.0]).roots[0]
+    chosen, outer = printed("V", "fig16-"), printed_outer_loop()
+    gain, zeros, _ = factored(inner_loop(eqs, chosen["K_C"], chosen["sensor"]))
+    short = root_locus(outer, [chosen["K_A"]]).roots[0]
     at = min(short[short.imag > 0], key=lambda s: abs(s - WANTED))
     return {
-        **{"fig15-K_C": K_C, "fig15-sensor": SENSOR},
-        **{"fig16-K_C": K_C, "fig16-K_R": K_R, "fig16-K_z": K_Z, "fig16-sensor": SENSOR},
-        "eq108-gain": gain / K_C,
+        **choices("V"),
+        "eq108-gain": gain / chosen["K_C"],
         "eq109-gain": float(eqs.numerator("theta", "delta")[5]),
         "fig16-K_A": nearest_gain(outer, WANTED, np.geomspace(1, 1000, 3001))[0],
         "fig16-sp-omega": KINDS["omega"](at),

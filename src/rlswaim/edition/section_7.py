@@ -4,11 +4,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from rlswaim.edition.matching import as_written
+from rlswaim.edition import table_3
+from rlswaim.edition.matching import as_written, choices
+from rlswaim.edition.printed_closures import final_design, printed_closure_2, printed_factors
 from rlswaim.loops import closures
-from rlswaim.loops.transfer_functions import closed_polynomial
+from rlswaim.loops.transfer_functions import closed_polynomial, elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
-from rlswaim.source.tables import constants, printed
+from rlswaim.source.tables import printed
 from rlswaim.vehicle.booster import swaim_booster
 from rlswaim.vehicle.equations import ROWS, PerturbationEquations, perturbation_equations, printed_equations
 
@@ -64,18 +66,18 @@ def _bracket(eqs: PerturbationEquations) -> dict[str, float]:
 
 def _closures(eqs: PerturbationEquations) -> dict[str, float]:
     """Return the roots and gains of Eqs. 135 to 137: each from what the report has printed before it."""
-    loop, kK_z = closures.final_design()
-    wanted, printed_2 = closures.jet_numerator(eqs, loop), closures.printed_closure_2()
-    opened = closures.closure_2(eqs, loop, kK_z, as_printed=True)
+    loop, kK_z = final_design()
+    wanted, printed_2 = closures.jet_numerator(eqs, loop), printed_closure_2()
+    opened = closures.closure_2_open_loop(eqs, loop, kK_z, as_printed=True)
     gain = opened.num[0][0][0] / opened.den[0][0][0]
     closed = roots(closed_polynomial(printed_2))
-    before = [closures.printed_factors(start) for start in ("eq135-", "text-closure1-", "text-closure2-")]
-    elastic = roots(closures.elastic_numerator(eqs, "delta", loop)[:6])
+    before = [printed_factors(start) for start in ("eq135-", "text-closure1-", "text-closure2-")]
+    elastic = roots(elastic_numerator(eqs, loop.sensor, "delta", loop.jet)[:6])
     theta, delta = roots(eqs.numerator("theta", "delta")), roots(eqs.characteristic_polynomial())
     return {
         "eq135-gain": wanted[5],
         **paired("eq135-", roots(wanted[:6])),
-        **paired("text-closure1-", roots(closures.closed_1(eqs, loop, kK_z))[1:]),
+        **paired("text-closure1-", roots(closures.closure_1_polynomial(eqs, loop, kK_z))[1:]),
         "eq136-gain": gain,
         **paired("eq136-zero-", np.array([-loop.b, *before[0], *elastic[1:]])),
         **paired("eq136-pole-", np.array([*theta, *before[1]])),
@@ -88,21 +90,20 @@ def _closures(eqs: PerturbationEquations) -> dict[str, float]:
 
 def _text(eqs: PerturbationEquations) -> dict[str, float]:
     """Return what the text counts and says of Table 3 and of Figures 24 and 25."""
-    loop, kK_z = closures.final_design()
-    chosen, pairs = constants("section_7"), closures.table_3(eqs)
-    poles = roots(closures.closed_1(eqs, loop, kK_z))[1:]
-    third = closures.closure_3(eqs, loop, kK_z, chosen["K_C"], chosen["K_R"])
+    loop, kK_z = final_design()
+    chosen, pairs = printed("VII", "fig25-"), table_3.trials(eqs)
+    poles = roots(closures.closure_1_polynomial(eqs, loop, kK_z))[1:]
+    third = closures.closure_3_open_loop(eqs, loop, kK_z, chosen["K_C"], chosen["K_R"])
     closed = roots(closed_polynomial(third))
     pseudo = (poles.imag == 0) & (np.abs(poles + loop.b) > 0.1)  # one real root is the sensor's, near -b
     return {
         "text-pairs": float(len(pairs)),
-        "text-stiffened": float(sum(p.verdict == "rises throughout" for p in pairs)),
+        "text-stiffened": float(sum(p.outcome == "rises throughout" for p in pairs)),
         "text-factor": min(next(p.factors for p in pairs if p.case == 22)),
         "text-elastic": float(np.sum(poles.imag > 0)),
         "text-short": float(np.sum(pseudo)),
         "text-unstable": float(np.sum(closed.real > 0)),
-        **{f"fig24-{name}": chosen[name] for name in ("K_r", "b", "sensor", "jet")},
-        **{f"fig25-{name}": value for name, value in chosen.items()},
+        **choices("VII"),
         "text-kK_z": kK_z,
     }
 

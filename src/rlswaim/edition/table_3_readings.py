@@ -14,19 +14,12 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim.loops.closures import (
-    VERDICTS,
-    JetLoop,
-    Stiffening,
-    elastic_poles,
-    final_design,
-    gains_to,
-    literal_bracket,
-    stiffening,
-    with_reading,
-)
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.edition.table_3 import OUTCOMES, Trial, gains_to, trial
+from rlswaim.loops.closures import JetLoop, literal_bracket
 from rlswaim.source import checks
-from rlswaim.vehicle.equations import PerturbationEquations
+from rlswaim.vehicle.coupling import elastic_poles
+from rlswaim.vehicle.equations import PerturbationEquations, with_reading
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 """Corners of the box of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
@@ -35,13 +28,13 @@ CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 class Readings(NamedTuple):
     """What becomes of one pair of Table 3 in the box.
 
-    ``nominal`` is its `Stiffening` as read here.  ``rises``, ``ends`` and ``steadies`` count the readings, of
+    ``nominal`` is its `Trial` as read here.  ``rises``, ``ends`` and ``steadies`` count the readings, of
     ``total`` with the nominal one, that rise throughout, that are at least higher at the end, and that leave
     no root right of the axis at some gain.  ``barred`` is true if no reading in the box rises throughout,
     exactly: for either sign of the gain the frequency of one mode falls as soon as the gain leaves zero.
     """
 
-    nominal: Stiffening
+    nominal: Trial
     rises: int
     ends: int
     steadies: int
@@ -57,7 +50,18 @@ class Readings(NamedTuple):
 
 
 def deflections(eqs: PerturbationEquations, loop: JetLoop) -> NDArray:
-    """Return phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet as read here, shape (4,)."""
+    """Return the deflections at sensor and jet as read here.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+
+    Returns
+    -------
+    ndarray, shape (4,)
+        phi_1, phi_2 at the sensor, phi_1, phi_2 at the jet.
+    """
     return np.array([mode.deflection(x) for x in (loop.sensor, loop.jet) for mode in eqs.modes])
 
 
@@ -89,9 +93,20 @@ def starting_rates(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> N
 
 
 def read_so(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> PerturbationEquations:
-    """Return ``eqs`` with one reading ``phi``, shape (4,), of the deflections at sensor and jet.
+    """Return the equations with other deflections at sensor and jet.
 
     Where both stand at one station, the sensor's two hold for both.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    loop : JetLoop
+    phi : ndarray, shape (4,)
+        As `deflections` gives them.
+
+    Returns
+    -------
+    PerturbationEquations
     """
     for station, (first, second) in {loop.jet: phi[2:], loop.sensor: phi[:2]}.items():
         eqs = with_reading(eqs, station, (first, second))
@@ -100,7 +115,7 @@ def read_so(eqs: PerturbationEquations, loop: JetLoop, phi: NDArray) -> Perturba
 
 def readings(
     eqs: PerturbationEquations,
-    pairs: Sequence[Stiffening],
+    pairs: Sequence[Trial],
     within: float = 0.05,
     least: float = 0.0,
     samples: int = 16,
@@ -112,8 +127,8 @@ def readings(
     Parameters
     ----------
     eqs : PerturbationEquations
-    pairs : sequence of Stiffening
-        From `rlswaim.loops.closures.table_3`.
+    pairs : sequence of Trial
+        From `rlswaim.edition.table_3.trials`.
     within : float
         Half the width of the box, relative to each deflection.
     least : float
@@ -139,9 +154,9 @@ def readings(
         loop = design._replace(sensor=pair.sensor, jet=pair.jet)
         phi = deflections(eqs, loop)
         box = phi + np.maximum(within * np.abs(phi), least) * offsets
-        others = [stiffening(read_so(eqs, loop, reading), pair.case, loop, gains) for reading in box]
+        others = [trial(read_so(eqs, loop, reading), pair.case, loop, gains) for reading in box]
         rates = starting_rates(eqs, loop, box[: len(CORNERS)])
-        level = np.array([VERDICTS.index(p.verdict) for p in (pair, *others)])
+        level = np.array([OUTCOMES.index(p.outcome) for p in (pair, *others)])
         found.append(
             Readings(
                 pair,

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_history
@@ -28,7 +27,22 @@ CURVES = {"U": 1, "h": 0, "q_D": 1}
 
 
 def whole_seconds(name: str, value: object, where: str, *, low: int, high: int) -> int:
-    """Return ``value``, for a parameter's ``name`` in a view (``where``), as whole seconds.
+    """Return a time in whole seconds, checked.
+
+    Parameters
+    ----------
+    name : str
+        Name of the parameter, for the error.
+    value : object
+        Time (s).
+    where : str
+        The view, for the error.
+    low, high : int
+        The earliest and the latest time (s).
+
+    Returns
+    -------
+    int
 
     Raises
     ------
@@ -57,11 +71,20 @@ def parameters() -> tuple[Parameter, ...]:
 
 @cache
 def flights(ascent: Ascent, uprights: tuple[float, ...], levels: tuple[float, ...]) -> dict[str, NDArray]:
-    """Return U, h, q_D of all pairs of programs at TIMES, shape (uprights, levels, times), and each peak.
+    """Fly all pairs of pitch programs.
+
+    Parameters
+    ----------
+    ascent : Ascent
+    uprights : tuple of float
+        Times until which the path is vertical (s).
+    levels : tuple of float
+        Times at which the path is level (s).
 
     Returns
     -------
     dict
+        U (ft/s), h (ft) and q_D (lb/ft^2) at TIMES, shape (uprights, levels, times).
         ``peak`` holds time (s) and size (lb/ft^2) of the largest q_D; shape (uprights, levels, 2).
     """
     flown = [[fly(ascent, turn(u, v), FINE) for v in levels] for u in uprights]
@@ -70,7 +93,19 @@ def flights(ascent: Ascent, uprights: tuple[float, ...], levels: tuple[float, ..
 
 
 def between_nodes(tables: dict[str, NDArray], name: str) -> NDArray:
-    """Return the straight-line values of ``tables[name]`` in the middles of its cells."""
+    """Return the means of each cell's four corners: the straight-line values in the middles of the cells.
+
+    Parameters
+    ----------
+    tables : dict
+        As `flights` returns them.
+    name : str
+        The table: U, h, q_D or peak.
+
+    Returns
+    -------
+    array, shape (uprights - 1, levels - 1, ...)
+    """
     t = tables[name]
     return (t[:-1, :-1] + t[1:, :-1] + t[:-1, 1:] + t[1:, 1:]) / 4
 
@@ -109,8 +144,7 @@ def nearest_program(tables: dict[str, NDArray], flight: FlightCondition) -> tupl
 class AscentView(LiveView):
     """The ascent under sliders; ``trajectory()`` flies the program that they show."""
 
-    system = "trajectory"
-    _esm = module("ascent")
+    view, system = "ascent", "trajectory"
 
     def __init__(self, ascent: Ascent, flight: FlightCondition, **values: Value) -> None:
         self._ascent, self._flight = ascent, flight

@@ -8,7 +8,6 @@ import numpy as np
 
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
 from rlswaim.figures.style import COLORS
 from rlswaim.figures.vehicle import draw_elastic_axis
@@ -83,8 +82,7 @@ def _source(booster: Booster, name: str, rows: Mapping[str, Mapping[str, float]]
 class BentVehicle(LiveView):
     """The vehicle of Section I under sliders; ``loads()`` are the sums behind the picture."""
 
-    system = "bent-vehicle"
-    _esm = module("bent_vehicle")
+    view, system = "bent-vehicle", "bent-vehicle"
 
     def __init__(self, booster: Booster, **values: Value) -> None:
         self._booster, self.forces, feet = booster, forces(booster), np.array(FEET, float)

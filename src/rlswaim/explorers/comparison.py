@@ -3,25 +3,24 @@
 from functools import partial
 from typing import Any
 
-import anywidget
 import control
 import ipywidgets as widgets
 import traitlets
 from matplotlib.axes import Axes
 
-from rlswaim.explorers.control_systems import SYSTEMS, payload
+from rlswaim.explorers.control_systems import payload
+from rlswaim.explorers.live_view import ScriptedView
 from rlswaim.explorers.parameter import Value
 from rlswaim.explorers.presets import COMPARED
-from rlswaim.explorers.scripts import module
-from rlswaim.explorers.still import draw_locus, still
+from rlswaim.explorers.still import Drawing, draw_locus
+from rlswaim.explorers.system_views import VIEWS
 from rlswaim.source import checks
-from rlswaim.source.tables import script
 from rlswaim.vehicle.equations import PerturbationEquations
 
 SIDES = ("left", "right")
 
 
-class Comparison(anywidget.AnyWidget):
+class Comparison(ScriptedView):
     """Two designs side by side, each on a workbench; ``left`` and ``right`` choose from ``designs``.
 
     Raises
@@ -30,16 +29,13 @@ class Comparison(anywidget.AnyWidget):
         If ``left`` or ``right`` is no place of ``designs``.
     """
 
-    _esm = module("comparison")
-    _css = script("explorer.css")
-    payload = traitlets.Dict().tag(sync=True)
     left = traitlets.Int().tag(sync=True)
     right = traitlets.Int().tag(sync=True)
 
     def __init__(self, eqs: PerturbationEquations) -> None:
         checks.instance("eqs", eqs, PerturbationEquations, "comparison")
         self._eqs = eqs
-        systems = {section: payload(system, eqs, system.forms(eqs)) for section, system in SYSTEMS.items()}
+        systems = {section: payload(view, eqs, view.system.forms(eqs)) for section, view in VIEWS.items()}
         chosen = [(section, at) for section, sent in systems.items() for at in range(len(sent["presets"]))]
         self._presets: list[tuple[str, dict[str, Any]]] = [
             (section, systems[section]["presets"][at]) for section, at in chosen
@@ -47,7 +43,11 @@ class Comparison(anywidget.AnyWidget):
         self.designs = [
             f"{section}: {preset['name']} ({preset['note']})" for section, preset in self._presets
         ]
-        sent = {"systems": systems, "designs": [{"system": s, "preset": at} for s, at in chosen]}
+        sent = {
+            "view": "comparison",
+            "systems": systems,
+            "designs": [{"system": s, "preset": at} for s, at in chosen],
+        }
         left, right = (self._place("IV", name) for name in COMPARED["IV"])
         super().__init__(payload=sent, left=left, right=right)
         self.panel = widgets.VBox(
@@ -87,21 +87,32 @@ class Comparison(anywidget.AnyWidget):
 
     def _varied(self, side: str, **changes: float) -> control.StateSpace:
         section = self._presets[getattr(self, checks.one_of("side", side, SIDES))][0]
-        return SYSTEMS[section].closed_loop(self._eqs, **{**self.values(side), **changes})
+        return VIEWS[section].closed_loop(self._eqs, **{**self.values(side), **changes})
 
     def draw(self, ax: Axes, side: str) -> Axes:
-        """Draw the root locus of the design on a ``side`` in the gain K_A, which is closed last."""
+        """Draw the root locus of one design in the gain K_A, which is closed last.
+
+        Parameters
+        ----------
+        ax : Axes
+        side : str
+            "left" or "right".
+
+        Returns
+        -------
+        Axes
+        """
         gain = float(self.values(side)["K_A"])
         ax.set_title(self.designs[getattr(self, side)], fontsize=8)
         return draw_locus(ax, lambda K_A: self._varied(side, K_A=K_A), gain, "K_A")
 
+    def drawings(self) -> list[Drawing]:
+        """Return the loci of both designs."""
+        return [partial(self.draw, side=side) for side in SIDES]
+
     def __repr__(self) -> str:
         """Return both designs in one line."""
         return f"comparison: {self.designs[self.left]} beside {self.designs[self.right]}"
-
-    def _repr_mimebundle_(self, **kwargs: object) -> Any:
-        image = still(*(partial(self.draw, side=side) for side in SIDES))
-        return {**self.panel._repr_mimebundle_(**kwargs), "image/png": image, "text/plain": repr(self)}
 
 
 def comparison_explorer(eqs: PerturbationEquations) -> Comparison:

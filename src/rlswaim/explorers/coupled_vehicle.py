@@ -13,20 +13,19 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rlswaim.explorers.coupling_tables import BLOCKS, coefficient_table, determinant_table
+from rlswaim.explorers.coupling_tables import BLOCKS, coupled_products, determinant_table
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
+from rlswaim.figures.loci import draw_pole_paths
 from rlswaim.figures.style import COLORS
-from rlswaim.figures.vehicle import draw_pole_paths
 from rlswaim.rootlocus.locus import parameter_locus
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import perturbation_equations
 from rlswaim.vehicle.modes import BendingMode
 
-COLORS_OF = {"short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2", "attitude": "neutral"}
+COLORS_OF = {"attitude": "neutral", "short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2"}
 
 
 def vehicle(
@@ -141,8 +140,7 @@ def cures(booster: Booster) -> list[dict]:
 class CoupledVehicle(LiveView):
     """The uncontrolled vehicle under sliders; ``vehicle()`` is its state space, ``poles()`` its poles."""
 
-    system = "coupling"
-    _esm = module("coupled_vehicle")
+    view, system = "coupled-vehicle", "coupling"
 
     def __init__(self, booster: Booster, **values: Value) -> None:
         self._booster, feet = booster, np.array(FEET, float)
@@ -153,10 +151,9 @@ class CoupledVehicle(LiveView):
         payload = {
             "shapes": {name: values.tolist() for name, values in shapes.items()},
             "surfaces": [s.name for s in booster.surfaces],
-            "coefficients": coefficient_table(booster),
+            "coefficients": coupled_products(booster),
             "determinant": determinant_table(range(4), booster.flight.U),
             "blocks": tables,
-            "branches": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "presets": cures(booster),
         }

@@ -1,7 +1,4 @@
-"""What all live views share: sliders, traits that they are joined to, and the scripts that draw.
-
-The view holds the parameters.
-"""
+"""What all live views share: the script that draws them, their sliders, and the traits joined to these."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -11,11 +8,35 @@ import ipywidgets as widgets
 import traitlets
 
 from rlswaim.explorers.parameter import Checked, Parameter, Value
+from rlswaim.explorers.scripts import MODULE, STYLE
 from rlswaim.explorers.still import Drawing, still
-from rlswaim.source.tables import script
 
 
-class LiveView(anywidget.AnyWidget):
+class ScriptedView(anywidget.AnyWidget):
+    """A widget that the live views' script draws; it displays itself with its controls, and as a still.
+
+    Attributes
+    ----------
+    payload : dict
+        What the script draws from; ``view`` names the view.
+    panel : Widget
+        The view with its controls.
+    """
+
+    _esm, _css = MODULE, STYLE
+    payload = traitlets.Dict().tag(sync=True)
+    panel: widgets.Widget
+
+    def drawings(self) -> Sequence[Drawing]:
+        """Return what the view's still shows, side by side."""
+        raise NotImplementedError
+
+    def _repr_mimebundle_(self, **kwargs: object) -> Any:
+        bundle = self.panel._repr_mimebundle_(**kwargs)
+        return {**bundle, "image/png": still(*self.drawings()), "text/plain": repr(self)}
+
+
+class LiveView(ScriptedView):
     """A view under sliders; it displays itself with them, and each parameter is an attribute.
 
     Parameters
@@ -36,9 +57,8 @@ class LiveView(anywidget.AnyWidget):
         If a value is not of its kind, or a parameter is missing or unknown.
     """
 
+    view: str
     system: str
-    _css = script("explorer.css") + script("live.css")
-    payload = traitlets.Dict().tag(sync=True)
 
     def __init__(
         self,
@@ -60,7 +80,12 @@ class LiveView(anywidget.AnyWidget):
             {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
         ]
         own = [p for p in parameters if beside is None or not beside.has_trait(p.name)]
-        given = {"system": self.system, "parameters": known_to_script, "own": [p.name for p in own]}
+        given = {
+            "view": self.view,
+            "system": self.system,
+            "parameters": known_to_script,
+            "own": [p.name for p in own],
+        }
         super().__init__(payload={**given, **payload, "initial": start})
         for p in parameters:
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
@@ -72,15 +97,7 @@ class LiveView(anywidget.AnyWidget):
         """Return the parameters by name."""
         return {p.name: getattr(self, p.name) for p in self.parameters}
 
-    def drawings(self) -> Sequence[Drawing]:
-        """Return what the view's still shows, side by side."""
-        raise NotImplementedError
-
     def __repr__(self) -> str:
         """Return view and values in one line."""
         shown = ", ".join(f"{name} = {value}" for name, value in self.values().items())
         return f"{self.system} explorer: {shown}"
-
-    def _repr_mimebundle_(self, **kwargs: object) -> Any:
-        bundle = self.panel._repr_mimebundle_(**kwargs)
-        return {**bundle, "image/png": still(*self.drawings()), "text/plain": repr(self)}

@@ -14,23 +14,37 @@ import ipywidgets as widgets
 import traitlets
 
 from rlswaim.source import checks
+from rlswaim.vehicle.stations import LENGTH, as_station
 
 Value = float | int | str
 
 
-FEET = tuple(range(int(checks.LENGTH) + 1))
+FEET = tuple(range(int(LENGTH) + 1))
 """The places of a station's slider."""
 
 
 def whole_station(name: str, value: object, where: str) -> int:
-    """Return ``value``, for a parameter's ``name`` in a view (``where``), as a station in whole feet.
+    """Return a station in whole feet, checked.
+
+    Parameters
+    ----------
+    name : str
+        Name of the parameter, for the error.
+    value : object
+        Station (ft from the nose).
+    where : str
+        The view, for the error.
+
+    Returns
+    -------
+    int
 
     Raises
     ------
     ValueError, TypeError
         If it is not whole, not on the vehicle, or no number.
     """
-    station = checks.station(name, value, where)
+    station = as_station(name, value, where)
     if station != int(station):
         raise ValueError(f"{name} in {where}: got station {station:g} ft, wanted a whole number of feet")
     return int(station)
@@ -106,5 +120,22 @@ class Checked(traitlets.TraitType):
         self.parameter = parameter
 
     def validate(self, obj: Any, value: object) -> Value:
-        """Return the value for ``obj``; ValueError or TypeError where the parameter doesn't allow it."""
+        """Return a value that the parameter allows.
+
+        Parameters
+        ----------
+        obj : LiveView
+            The view that holds the trait.
+        value : object
+            What is set.
+
+        Returns
+        -------
+        float, int or str
+
+        Raises
+        ------
+        ValueError, TypeError
+            If the parameter doesn't allow it.
+        """
         return self.parameter.check(self.parameter.name, value, f"{obj.system} explorer")

@@ -3,14 +3,13 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rlswaim.edition.conclusions import found_gains
+from rlswaim.edition.designs import designs, found_gains
 from rlswaim.edition.matching import printed_roots
+from rlswaim.edition.printed_closures import printed_factors
 from rlswaim.edition.search import winners
-from rlswaim.edition.section_4 import K_C
 from rlswaim.explorers.parameter import Value
-from rlswaim.loops import closures
+from rlswaim.loops.factors import as_text
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design
-from rlswaim.loops.transfer_functions import as_text
 from rlswaim.source.tables import read_table
 from rlswaim.vehicle.equations import PerturbationEquations
 
@@ -36,22 +35,6 @@ COMPARED = {
 """Presets of a section to see side by side: the report's design and the corrected one."""
 
 
-def _value(text: str) -> Value:
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def designs(section: str) -> dict[str, dict[str, Value]]:
-    """Return the report's designs of one section: parameters by name of the design [data/designs.csv]."""
-    found: dict[str, dict[str, Value]] = {}
-    for row in read_table("designs"):
-        if row["section"] == section:
-            found.setdefault(row["name"], {})[row["parameter"]] = _value(row["value"])
-    return found
-
-
 def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dict[str, Value]]:
     """Return designs of one section as they should be: the rigid-body design of Eqs. 61 to 75, gains found.
 
@@ -62,8 +45,10 @@ def corrected_designs(section: str, eqs: PerturbationEquations) -> dict[str, dic
         Section IV's rigid body.
     """
     if section == "IV":
-        gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=-WANTED.real / abs(WANTED), K_C=K_C)
-        return {"Eq. 75, divided by U": {**designs("IV")["Eq. 78"], "K_A": gains.K_A, "K_R": gains.K_R}}
+        own = designs("IV")["Eq. 78"]
+        zeta, K_C = -WANTED.real / abs(WANTED), float(own["K_C"])
+        gains = rigid_design(rigid_body(eqs), omega=abs(WANTED), zeta=zeta, K_C=K_C)
+        return {"Eq. 75, divided by U": {**own, "K_A": gains.K_A, "K_R": gains.K_R}}
     by_hand: dict[str, dict[str, Value]] = {}
     if section == "VII":
         by_hand["Table 3, case 1"] = {**found_gains("dual_actuation")}
@@ -86,7 +71,7 @@ def _printed(section: str, start: str) -> list[dict[str, Any]]:
     """Return printed roots (1/s), of a pair the upper one, as a preset tells them."""
     if not start:
         return []
-    roots = closures.printed_factors(start) if section == "VII" else printed_roots(section, start).values()
+    roots = printed_factors(start) if section == "VII" else printed_roots(section, start).values()
     return [{"re": r.real, "im": r.imag, "text": as_text([r])} for r in roots]
 
 

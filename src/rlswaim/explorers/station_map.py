@@ -8,16 +8,15 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.colors import to_hex
 
+from rlswaim.edition import table_3
 from rlswaim.edition.conclusions import found_gains
 from rlswaim.explorers import presets
-from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Value
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing
+from rlswaim.explorers.system_views import DUAL_ACTUATION
 from rlswaim.figures.stations import draw_station_map
 from rlswaim.figures.style import COLORS
-from rlswaim.loops.closures import table_3_pairs
 from rlswaim.loops.station_maps import station_map
 from rlswaim.vehicle.equations import PerturbationEquations
 
@@ -35,18 +34,16 @@ def designs() -> dict[str, dict[str, Value]]:
 class StationMap(LiveView):
     """The map over all pairs of stations at the sliders' gains; ``closed_loop()`` is that of the pair."""
 
-    system = "station-map"
-    _esm = module("station_map")
+    view, system = "station-map", "station-map"
 
     def __init__(
         self, eqs: PerturbationEquations, beside: widgets.Widget | None = None, **values: Value
     ) -> None:
         self._eqs, chosen = eqs, designs()
         payload = {
-            "terms": [term._asdict() for term in DUAL_ACTUATION.polynomial(eqs).terms],
+            "terms": [term._asdict() for term in DUAL_ACTUATION.system.polynomial(eqs).terms],
             "shapes": DUAL_ACTUATION.shape_values(eqs),
-            "worker": module("map_worker"),
-            "pairs": [{"case": case, "sensor": int(z), "jet": int(r)} for case, z, r in table_3_pairs()],
+            "pairs": [{"case": case, "sensor": int(z), "jet": int(r)} for case, z, r in table_3.pairs()],
             "palette": [to_hex(colormaps["PuOr_r"](place)) for place in np.linspace(0, 1, 129)],
             "colors": {"pair": COLORS["rigid"], "table": COLORS["neutral"]},
             "presets": [{"name": n, "label": "gains and stations", "values": v} for n, v in chosen.items()],

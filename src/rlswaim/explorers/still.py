@@ -1,4 +1,4 @@
-"""The picture of a live view where no script runs: on paper, or in a viewer of notebooks."""
+"""The still of a live view: the picture that stands for it where no script runs, as on paper."""
 
 from base64 import b64encode
 from collections.abc import Callable

@@ -10,9 +10,7 @@ from numpy.typing import NDArray
 
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
-from rlswaim.explorers.scripts import module
 from rlswaim.explorers.still import Drawing, draw_locus
-from rlswaim.source.tables import script
 
 
 class Explorer(LiveView):
@@ -28,8 +26,7 @@ class Explorer(LiveView):
         If a value is not of its kind, or a parameter is unknown.
     """
 
-    _esm = module("control_system")
-    _css = script("explorer.css")
+    view = "workbench"
     magnify = traitlets.Float(1.0, help="of the small window about the origin; 1: none").tag(sync=True)
 
     def __init__(

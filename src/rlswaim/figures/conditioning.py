@@ -1,4 +1,4 @@
-"""How hard each coefficient pulls at each root, as a map."""
+"""How much each root moves with each coefficient, as a map."""
 
 from collections.abc import Mapping
 
@@ -6,17 +6,17 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 
-from rlswaim.edition.conditioning import Family, sensitivity
+from rlswaim.edition.conditioning import LoopInCoefficients, sensitivity
 from rlswaim.source.tables import read_table
 
 
-def draw_sensitivities(ax: Axes, loops: Mapping[str, Family]) -> Axes:
+def draw_sensitivities(ax: Axes, loops: Mapping[str, LoopInCoefficients]) -> Axes:
     """Draw |c ds/dc| over |s| of each root of some ``loops`` but those at the origin, for each coefficient.
 
     Parameters
     ----------
     ax : Axes
-    loops : mapping of str to Family
+    loops : mapping of str to LoopInCoefficients
 
     Returns
     -------

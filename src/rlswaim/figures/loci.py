@@ -1,4 +1,4 @@
-"""Root loci for print: branches, open-loop poles and zeros, closed-loop roots, the report's roots."""
+"""Root loci: branches, open-loop poles and zeros, closed-loop roots, the report's roots."""
 
 from collections.abc import Mapping, Sequence
 
@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.style import COLORS
-from rlswaim.loops.transfer_functions import Closure
+from rlswaim.loops.named_branches import NamedLocus
 from rlswaim.rootlocus.locus import RootLocus
 
 STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": (0, (5, 1, 1, 1, 1, 1))}
@@ -19,7 +19,19 @@ Window = tuple[float, float, float, float]
 
 
 def draw_damping_grid(ax: Axes, zetas: Sequence[float] = (0.2, 0.5, 0.8)) -> Axes:
-    """Draw rays of damping ratios ``zetas`` over the left half plane of ``ax``, whose limits are set."""
+    """Draw rays of equal damping ratio over the left half plane.
+
+    Parameters
+    ----------
+    ax : Axes
+        Its limits are set, and stay.
+    zetas : sequence of float
+        The damping ratios.
+
+    Returns
+    -------
+    Axes
+    """
     (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
     reach = np.hypot(left, top)
     for zeta in zetas:
@@ -34,14 +46,42 @@ def draw_damping_grid(ax: Axes, zetas: Sequence[float] = (0.2, 0.5, 0.8)) -> Axe
 
 
 def draw_poles(ax: Axes, poles: ArrayLike, label: str, marker: str = "s", color: str = "0.15") -> Axes:
-    """Mark ``poles`` (1/s), shape (n,), on ``ax`` with a ``label``, ``marker`` and ``color``."""
+    """Mark poles.
+
+    Parameters
+    ----------
+    ax : Axes
+    poles : array_like of complex, shape (n,)
+        1/s.
+    label : str
+        For the legend.
+    marker, color : str
+        As matplotlib names them.
+
+    Returns
+    -------
+    Axes
+    """
     at = np.asarray(poles, dtype=complex)
     ax.plot(at.real, at.imag, marker, ms=5.5, mfc="white", mec=color, mew=1.4, ls="", label=label, zorder=4)
     return ax
 
 
 def draw_printed_roots(ax: Axes, roots: ArrayLike, label: str = "printed in the report") -> Axes:
-    """Mark printed ``roots`` (1/s), shape (n,), and their conjugates on ``ax`` with a ``label``."""
+    """Mark roots that the report prints, and their conjugates.
+
+    Parameters
+    ----------
+    ax : Axes
+    roots : array_like of complex, shape (n,)
+        One of each pair (1/s).
+    label : str
+        For the legend.
+
+    Returns
+    -------
+    Axes
+    """
     at = np.asarray(roots, dtype=complex)
     both = np.concatenate([at, at[at.imag != 0].conj()])
     ax.plot(both.real, both.imag, "D", ms=9, mfc="none", mec=COLORS["printed"], ls="", label=label, zorder=5)
@@ -99,20 +139,132 @@ def draw_root_locus(
 
 
 def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:
-    """Mark on ``ax`` the roots of a ``locus`` that few digits don't fix: condition above ``limit``."""
+    """Mark the roots that few digits don't fix.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+    limit : float
+        Roots with a larger condition number are marked.
+
+    Returns
+    -------
+    Axes
+    """
     at = locus.roots[locus.condition > limit]
     ax.plot(at.real, at.imag, "o", ms=11, mfc="0.6", mec="none", alpha=0.5, ls="", label="ill-determined")
     return ax
 
 
-def draw_closure(ax: Axes, closure: Closure, window: Window, label: str) -> Axes:
-    """Draw a ``closure`` on ``ax`` (``window`` as in `draw_root_locus`), its poles with a ``label``."""
-    draw_root_locus(ax, closure.locus, window, closure.parts)
-    return draw_poles(ax, closure.poles, label)
+def draw_named_locus(ax: Axes, named: NamedLocus, window: Window, label: str) -> Axes:
+    """Draw a locus with names, and the closed-loop poles at its end.
+
+    Parameters
+    ----------
+    ax : Axes
+    named : NamedLocus
+    window : tuple of float
+        As in `draw_root_locus`.
+    label : str
+        Of the poles.
+
+    Returns
+    -------
+    Axes
+    """
+    draw_root_locus(ax, named.locus, window, named.parts)
+    return draw_poles(ax, named.poles, label)
+
+
+def draw_far_locus(ax: Axes, locus: RootLocus, closed: ArrayLike, printed: ArrayLike) -> Axes:
+    """Draw a locus on axes that are linear to 1 1/s and logarithmic beyond.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+        Its first gain is 0.
+    closed, printed : array_like of complex
+        Roots where the loop is closed, computed and as the report prints them (1/s).
+
+    Returns
+    -------
+    Axes
+    """
+    for branch in locus.roots.T:
+        ax.plot(branch.real, branch.imag, color=COLORS["neutral"], zorder=2)
+    ax.plot(locus.poles.real, locus.poles.imag, "kx", ms=7, mew=1.5, label="open-loop poles", zorder=3)
+    draw_poles(ax, closed, "closed loop, computed")
+    draw_printed_roots(ax, printed)
+    ax.axvline(0, color="0.4", lw=0.6, zorder=0)
+    ax.set_xscale("symlog", linthresh=1.0)
+    ax.set_yscale("symlog", linthresh=1.0)
+    ax.set(xlim=(-1e9, 1e4), ylim=(-0.15, 300), xlabel="real part (1/s)", ylabel="imaginary part (1/s)")
+    ax.set_xticks([-1e8, -1e6, -1e4, -1e2, 0, 1e2, 1e4])
+    return ax
+
+
+def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
+    """Draw each path of a pole: a circle where it starts, a cross where it ends.
+
+    Parameters
+    ----------
+    ax : Axes
+    locus : RootLocus
+        Its ``gains`` are the values of the parameter.
+    parameter : str
+        Its symbol, for the legend.
+
+    Returns
+    -------
+    Axes
+    """
+    for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
+        order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
+        color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
+        ax.plot(path.real, path.imag, style, color=color)
+        ax.plot(path[0].real, path[0].imag, "o", color=color, markerfacecolor="none", markersize=8)
+        ax.plot(path[-1].real, path[-1].imag, "x", color=color, markersize=8)
+    for name, (color, style) in {
+        "rigid body": ("rigid", "-"),
+        "mode 1": ("mode 1", "--"),
+        "mode 2": ("mode 2", "-."),
+    }.items():
+        ax.plot([], [], style, color=COLORS[color], label=name)
+    ax.plot(
+        [],
+        [],
+        "o",
+        color="black",
+        markerfacecolor="none",
+        linestyle="none",
+        label=f"{parameter} = {locus.gains[0]:g}",
+    )
+    ax.plot([], [], "x", color="black", linestyle="none", label=f"{parameter} = {locus.gains[-1]:g}")
+    ax.axvline(0, color=COLORS["neutral"], linewidth=0.8)
+    ax.set_xlabel("real part (1/s)")
+    ax.set_ylabel("imaginary part (rad/s)")
+    ax.legend(fontsize="small")
+    return ax
 
 
 def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: str, ylabel: str) -> Axes:
-    """Draw named ``curves`` over ``x`` on ``ax``, with ``xlabel`` and ``ylabel``; a part keeps its color."""
+    """Draw named curves.
+
+    Parameters
+    ----------
+    ax : Axes
+    x : array_like, shape (K,)
+    curves : mapping of str to array_like, shape (K,)
+        By name; a part of the vehicle keeps its color.
+    xlabel, ylabel : str
+        With units.
+
+    Returns
+    -------
+    Axes
+    """
     others = ("printed", "corrected", "jet", "neutral")
     for i, (name, y) in enumerate(curves.items()):
         color = COLORS.get(name, COLORS[others[i % 4]])
@@ -120,39 +272,4 @@ def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: s
     ax.axhline(0, color="0.4", lw=0.6)
     ax.set(xlabel=xlabel, ylabel=ylabel)
     ax.legend()
-    return ax
-
-
-def draw_sensor_zeros(
-    ax: Axes, stations: NDArray, zeros: NDArray, printed: Mapping[float, ArrayLike]
-) -> Axes:
-    """Draw the zeros of Eq. 119 as size |s| over the sensor station, real and complex ones apart.
-
-    Parameters
-    ----------
-    ax : Axes
-    stations : ndarray, shape (K,)
-        Sensor stations (ft).
-    zeros : ndarray of complex, shape (K, n)
-    printed : mapping of station to zeros
-        Complex zeros that the report prints (1/s).
-
-    Returns
-    -------
-    Axes
-    """
-    at = np.broadcast_to(stations[:, None], zeros.shape)
-    for what, chosen, style in (
-        ("real, right half plane", (zeros.imag == 0) & (zeros.real > 0), ("^", "mode 2")),
-        ("real, left half plane", (zeros.imag == 0) & (zeros.real < 0), ("v", "rigid")),
-        ("complex pair", zeros.imag > 0, ("o", "mode 1")),
-    ):
-        ax.plot(
-            at[chosen], np.abs(zeros[chosen]), style[0], ms=3.5, mfc="none", mec=COLORS[style[1]], label=what
-        )
-    for i, (station, pairs) in enumerate(printed.items()):
-        size = np.abs(np.asarray(pairs))
-        label = None if i else "printed pairs"
-        ax.plot(np.full(size.shape, station), size, "D", ms=8, mfc="none", mec=COLORS["printed"], label=label)
-    ax.set(xlabel="sensor station (ft)", ylabel="|zero| (1/s)")
     return ax

@@ -1,14 +1,17 @@
-"""Maps over stations: Table 3's pairs, and where the poles go as a sensor or a jet moves."""
+"""Stations of sensors and jets: Table 3's pairs and their readings, zeros and poles over the stations."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import CenteredNorm
+from numpy.typing import ArrayLike, NDArray
 
+from rlswaim.edition.table_3 import Trial
+from rlswaim.edition.table_3_readings import Readings
 from rlswaim.figures.style import COLORS
-from rlswaim.loops.closures import Stiffening, direct_response
+from rlswaim.loops.closures import direct_response
 from rlswaim.rootlocus.locus import RootLocus
 from rlswaim.vehicle.equations import PerturbationEquations
 
@@ -19,14 +22,14 @@ LOOKS = {
 }
 
 
-def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquations) -> Axes:
+def draw_table_3(ax: Axes, pairs: Sequence[Trial], eqs: PerturbationEquations) -> Axes:
     """Draw Table 3: a marker for each pair of stations, and where the jet has no direct effect at the sensor.
 
     Parameters
     ----------
     ax : Axes
-    pairs : sequence of Stiffening
-        From `rlswaim.loops.closures.table_3`; a ring marks pairs that leave no root right of the axis
+    pairs : sequence of Trial
+        From `rlswaim.edition.table_3.trials`; a ring marks pairs that leave no root right of the axis
         at some gain.
     eqs : PerturbationEquations
 
@@ -44,9 +47,9 @@ def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquatio
         linestyles="--",
     )
     ax.plot([], [], "--", color=COLORS["jet"], label="no direct effect: Σ φ(z) φ(r)/m = 0")
-    for verdict, (marker, color) in LOOKS.items():
-        chosen = [p for p in pairs if p.verdict == verdict]
-        ax.plot([p.sensor for p in chosen], [p.jet for p in chosen], marker, ms=7, color=color, label=verdict)
+    for outcome, (marker, color) in LOOKS.items():
+        chosen = [p for p in pairs if p.outcome == outcome]
+        ax.plot([p.sensor for p in chosen], [p.jet for p in chosen], marker, ms=7, color=color, label=outcome)
     steady = [p for p in pairs if p.steadies]
     ax.plot(
         [p.sensor for p in steady],
@@ -70,6 +73,72 @@ def draw_table_3(ax: Axes, pairs: Sequence[Stiffening], eqs: PerturbationEquatio
         xlabel="station of the sensor (ft)", ylabel="station of the jet (ft)", xlim=(0, 420), ylim=(0, 420)
     )
     ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8)
+    return ax
+
+
+def draw_readings(ax: Axes, groups: Sequence[Sequence[Readings]], labels: Sequence[str]) -> Axes:
+    """Draw which share of the readings stiffens both modes throughout, for each pair of Table 3.
+
+    Parameters
+    ----------
+    ax : Axes
+    groups : sequence of sequence of Readings
+        One for each box of readings, all with the same pairs.
+    labels : sequence of str
+        What the boxes are.
+
+    Returns
+    -------
+    Axes
+    """
+    width = 0.8 / len(groups)
+    looks = (("mode 2", None), ("rigid", "//"), ("mode 1", ".."))
+    for i, (group, label, (color, hatch)) in enumerate(zip(groups, labels, looks, strict=False)):
+        x = np.array([r.nominal.case for r in group]) + (i - (len(groups) - 1) / 2) * width
+        shares = [100 * r.rises / r.total for r in group]
+        ax.bar(x, shares, width, color=COLORS[color], hatch=hatch, edgecolor="white", label=label)
+        barred = [at for at, r in zip(x, group, strict=True) if r.barred]
+        text = "none, exactly" if not i else None
+        ax.plot(barred, np.zeros(len(barred)), "x", color=COLORS["printed"], ms=4, label=text, clip_on=False)
+    ax.set(xlabel="case of Table 3", ylabel="readings that stiffen both modes (%)", ylim=(0, 100))
+    ax.set_xticks([r.nominal.case for r in groups[0]])
+    ax.grid(False, axis="x")
+    ax.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0), fontsize=8)
+    return ax
+
+
+def draw_sensor_zeros(
+    ax: Axes, stations: NDArray, zeros: NDArray, printed: Mapping[float, ArrayLike]
+) -> Axes:
+    """Draw the zeros of Eq. 119 as size |s| over the sensor station, real and complex ones apart.
+
+    Parameters
+    ----------
+    ax : Axes
+    stations : ndarray, shape (K,)
+        Sensor stations (ft).
+    zeros : ndarray of complex, shape (K, n)
+    printed : mapping of station to zeros
+        Complex zeros that the report prints (1/s).
+
+    Returns
+    -------
+    Axes
+    """
+    at = np.broadcast_to(stations[:, None], zeros.shape)
+    for what, chosen, style in (
+        ("real, right half plane", (zeros.imag == 0) & (zeros.real > 0), ("^", "mode 2")),
+        ("real, left half plane", (zeros.imag == 0) & (zeros.real < 0), ("v", "rigid")),
+        ("complex pair", zeros.imag > 0, ("o", "mode 1")),
+    ):
+        ax.plot(
+            at[chosen], np.abs(zeros[chosen]), style[0], ms=3.5, mfc="none", mec=COLORS[style[1]], label=what
+        )
+    for i, (station, pairs) in enumerate(printed.items()):
+        size = np.abs(np.asarray(pairs))
+        label = None if i else "printed pairs"
+        ax.plot(np.full(size.shape, station), size, "D", ms=8, mfc="none", mec=COLORS["printed"], label=label)
+    ax.set(xlabel="sensor station (ft)", ylabel="|zero| (1/s)")
     return ax
 
 

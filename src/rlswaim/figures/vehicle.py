@@ -1,4 +1,4 @@
-"""Figures 1 to 5 and those of Section III: the vehicle, its modes, its ascent, its poles."""
+"""Figures 1 to 5: the vehicle, its bent axis, its ascent and other histories, its mode shapes."""
 
 from collections.abc import Mapping
 from itertools import cycle
@@ -8,9 +8,8 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.style import COLORS
-from rlswaim.rootlocus.locus import RootLocus
-from rlswaim.source.checks import LENGTH
 from rlswaim.vehicle.booster import Booster
+from rlswaim.vehicle.stations import LENGTH
 
 
 def _along_the_vehicle(ax: Axes) -> Axes:
@@ -20,7 +19,17 @@ def _along_the_vehicle(ax: Axes) -> Axes:
 
 
 def draw_masses(ax: Axes, booster: Booster) -> Axes:
-    """Draw the masses, the lifting surfaces, the center of gravity and the thrust point [Figure 1]."""
+    """Draw the masses, the lifting surfaces, the center of gravity and the thrust point [Figure 1].
+
+    Parameters
+    ----------
+    ax : Axes
+    booster : Booster
+
+    Returns
+    -------
+    Axes
+    """
     ax.bar(
         booster.stations, booster.masses / 1000, width=14, color=COLORS["neutral"], alpha=0.6, label="mass"
     )
@@ -46,7 +55,21 @@ def draw_masses(ax: Axes, booster: Booster) -> Axes:
 def draw_elastic_axis(
     ax: Axes, booster: Booster, q_1: float = 0.0, q_2: float = 0.0, theta: float = 0.0, delta: float = 0.0
 ) -> Axes:
-    """Draw the elastic axis moved by q_1, q_2 (ft, up), theta and delta (rad), and the exhaust [Figure 2]."""
+    """Draw the elastic axis and the exhaust, out of their places [Figure 2].
+
+    Parameters
+    ----------
+    ax : Axes
+    booster : Booster
+    q_1, q_2 : float
+        The modes' coordinates (ft, up).
+    theta, delta : float
+        Pitch angle and thrust deflection (rad).
+
+    Returns
+    -------
+    Axes
+    """
     x = np.linspace(0, LENGTH, 421)
 
     def height(at: ArrayLike) -> NDArray:
@@ -74,7 +97,19 @@ def draw_elastic_axis(
 
 
 def draw_mode_shapes(ax: Axes, booster: Booster, slopes: bool = False) -> Axes:
-    """Draw the deflections phi, or the slopes sigma, of both modes with the printed points [Figure 5]."""
+    """Draw the deflections phi of both modes, or their slopes sigma, with the printed points [Figure 5].
+
+    Parameters
+    ----------
+    ax : Axes
+    booster : Booster
+    slopes : bool
+        Draw the slopes.
+
+    Returns
+    -------
+    Axes
+    """
     x = np.linspace(0, LENGTH, 421)
     for number, (mode, marker, style) in enumerate(
         zip(booster.modes, "os", ("-", "--"), strict=True), start=1
@@ -98,7 +133,24 @@ def draw_history(
     quantity: str,
     printed: tuple[float, float] | None = None,
 ) -> Axes:
-    """Draw a ``quantity``'s curves over ``times`` (s) and one printed point [Figures 3, 4]."""
+    """Draw curves over the time, and one printed point [Figures 3, 4].
+
+    Parameters
+    ----------
+    ax : Axes
+    times : ndarray, shape (K,)
+        s.
+    curves : mapping of str to ndarray, shape (K,)
+        By name.
+    quantity : str
+        What is drawn, with its unit.
+    printed : tuple of float, optional
+        A time (s) and the value that the report prints.
+
+    Returns
+    -------
+    Axes
+    """
     looks = cycle((("rigid", "-"), ("corrected", "--"), ("mode 2", "-."), ("actuator", ":")))
     for (name, values), (color, style) in zip(curves.items(), looks, strict=False):
         ax.plot(times, values, style, color=COLORS[color], label=name)
@@ -112,36 +164,5 @@ def draw_history(
         )
     ax.set_xlabel("time (s)")
     ax.set_ylabel(quantity)
-    ax.legend(fontsize="small")
-    return ax
-
-
-def draw_pole_paths(ax: Axes, locus: RootLocus, parameter: str) -> Axes:
-    """Draw each path of a ``locus`` as a parameter runs: hollow where it starts, a cross where it ends."""
-    for path in locus.roots.T[np.argsort(abs(locus.roots[0].imag), kind="stable")]:
-        order = np.searchsorted([0.5, 2.0], abs(path[0].imag))
-        color, style = (COLORS["rigid"], COLORS["mode 1"], COLORS["mode 2"])[order], ("-", "--", "-.")[order]
-        ax.plot(path.real, path.imag, style, color=color)
-        ax.plot(path[0].real, path[0].imag, "o", color=color, markerfacecolor="none", markersize=8)
-        ax.plot(path[-1].real, path[-1].imag, "x", color=color, markersize=8)
-    for name, (color, style) in {
-        "rigid body": ("rigid", "-"),
-        "mode 1": ("mode 1", "--"),
-        "mode 2": ("mode 2", "-."),
-    }.items():
-        ax.plot([], [], style, color=COLORS[color], label=name)
-    ax.plot(
-        [],
-        [],
-        "o",
-        color="black",
-        markerfacecolor="none",
-        linestyle="none",
-        label=f"{parameter} = {locus.gains[0]:g}",
-    )
-    ax.plot([], [], "x", color="black", linestyle="none", label=f"{parameter} = {locus.gains[-1]:g}")
-    ax.axvline(0, color=COLORS["neutral"], linewidth=0.8)
-    ax.set_xlabel("real part (1/s)")
-    ax.set_ylabel("imaginary part (rad/s)")
     ax.legend(fontsize="small")
     return ax

@@ -18,6 +18,7 @@ from scipy.optimize import linprog
 from rlswaim.loops.transfer_functions import attitude_numerator, displacement_numerator
 from rlswaim.source import checks
 from rlswaim.vehicle.equations import PerturbationEquations
+from rlswaim.vehicle.stations import as_station
 
 
 def _padded(p: NDArray, size: int = 9) -> NDArray:
@@ -44,7 +45,7 @@ def gain_terms(
         K_C K_z of each sensor (``"K_C K_z at <station>"``).
     """
     checks.instance("eqs", eqs, PerturbationEquations, "gain_terms")
-    sensors = [checks.station("sensor", x, "gain_terms") for x in sensors]
+    sensors = [as_station("sensor", x, "gain_terms") for x in sensors]
     delta, attitude = eqs.characteristic_polynomial(), attitude_numerator(eqs, gyro)
     terms = {
         "1": npp.polymulx(delta),

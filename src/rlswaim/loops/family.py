@@ -1,146 +1,130 @@
-"""The closed loops of Sections IV to VII at many gains at once, and at one set of gains two other ways.
+"""Families of closed loops: matrices that are sums of (product of factors) x (fixed matrix).
 
-`state_matrices` serves the searches; `closed_loop`, wired by signal name, and `determinants`, from
-polynomials, check what they find.
+Each gain, actuator pole and mode-shape value enters a closed loop at most once in a product.  So the
+matrices at corners of the factors' cube, every factor 0 or 1, give them at all values of the factors.
+Searches, maps over stations, sensitivities and live views all evaluate such a family.
 """
 
-from collections.abc import Callable, Mapping
-from functools import partial
-from inspect import signature
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from math import prod
+from typing import Self
 
 import control
 import numpy as np
-from numpy.polynomial import polynomial as npp
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from rlswaim.loops import systems
-from rlswaim.loops.certificates import gain_terms
-from rlswaim.loops.closures import JetLoop, closed_1, theta_numerator
-from rlswaim.loops.rigid_body_design import WANTED
-from rlswaim.source import checks
-from rlswaim.vehicle.equations import PerturbationEquations
-
-LOOPS: dict[str, Callable[..., control.StateSpace]] = {
-    "rate_attitude": systems.rate_attitude,
-    "rigid_angle": partial(systems.rate_attitude, gyro=None),
-    "single_sensor": systems.single_sensor,
-    "two_sensor": systems.two_sensor,
-    "dual_actuation": systems.dual_actuation,
-    "modest_jet": systems.dual_actuation,
-    "figure_25": systems.dual_actuation,
-}
-SENSORS = {"K_z": "sensor", "K_za": "sensor_a", "K_zb": "sensor_b"}
-"""Gain of each linear sensor that feeds the thrust vector, and the name of its station."""
+Product = tuple[str, ...]
 
 
-def _readings(modes: tuple, stations: NDArray, what: str) -> NDArray:
-    """Return phi or sigma at stations (ft) as weights of the states q1 and q2; shape (S, 7)."""
-    rows = np.zeros((stations.size, 7))
-    rows[:, 3], rows[:, 5] = (getattr(mode, what)(stations) for mode in modes)
-    return rows
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Closed loops that differ in the values of some factors alone.
 
-
-def _angle(eqs: PerturbationEquations, gains: Mapping[str, NDArray]) -> NDArray:
-    """Return the angle that the gyro reads as weights of the states, rates left out; shape (S, 7)."""
-    rows = np.zeros((gains["K_C"].size, 7))
-    if "gyro" in gains:
-        rows -= _readings(eqs.modes, gains["gyro"], "slope")
-    rows[:, 1] = 1.0
-    return rows
-
-
-def state_matrices(eqs: PerturbationEquations, gains: Mapping[str, NDArray]) -> NDArray:
-    """Return closed-loop state matrices at many gains at once, as `systems` wires them one by one.
-
-    Parameters
+    Attributes
     ----------
-    eqs : PerturbationEquations
-    gains : mapping of str to ndarray, shape (S,)
-        Gains and stations of one of `LOOPS`, by the names of its arguments; a gyro without a
-        station reads the rigid-body angle.
-
-    Returns
-    -------
-    ndarray, shape (S, 8, 8) or, with a jet, (S, 9, 9)
+    factors : tuple of str
+    terms : mapping of tuple of str to ndarray of int, shape (n + p, n + m)
+        The fixed matrix [A B; C D] times 2^exponent that each product of factors multiplies: with
+        whole numbers it is exact.
+    exponent : int
+    states, inputs, outputs : tuple of str
+        Their names, n, m and p in number.
     """
-    if missing := [name for name in ("K_A", "K_C", "K_R") if name not in gains]:
-        raise TypeError(f"gains in state_matrices: got {', '.join(gains)}, wanted {missing[0]} too")
-    g = {name: checks.frozen_array(name, v, "state_matrices")[:, None] for name, v in gains.items()}
-    angle = _angle(eqs, gains)
-    # A rate is the state after the one it belongs to.
-    thrust = -g["K_A"] * (angle + g["K_R"] * np.roll(angle, 1, axis=1))
-    for gain, station in SENSORS.items():
-        if gain in g:
-            bent = _readings(eqs.modes, gains[station], "deflection")
-            thrust = thrust + g[gain] * (bent + np.roll(bent, 1, axis=1))
-    vehicle, n = eqs.state_space(), 8 + ("jet" in g)
-    A = np.zeros((len(angle), n, n))
-    A[:, :7, :7], A[:, :7, 7] = vehicle.A, vehicle.B[:, 0]
-    A[:, 7, :7], A[:, 7, 7] = g["K_C"] * thrust, -gains["K_C"]
-    if "jet" in g:
-        bent = _readings(eqs.modes, gains["sensor"], "deflection")
-        A[:, 8, :7] = g["K_r"] * g["kK_z"] * (g["b"] * bent + np.roll(bent, 1, axis=1))
-        A[:, 8, 8], A[:, :7, 8] = -gains["K_r"], _jet(eqs, gains["jet"])
-    return A
+
+    factors: tuple[str, ...]
+    terms: Mapping[Product, NDArray]
+    exponent: int
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+    @classmethod
+    def of(
+        cls,
+        closed_loop: Callable[..., control.StateSpace],
+        groups: Sequence[Collection[str]],
+        tolerance: float = 0.0,
+    ) -> Self:
+        """Return the family of a closed loop.
+
+        Parameters
+        ----------
+        closed_loop : callable
+            Takes the factors by name and returns the closed loop.
+        groups : sequence of collection of str
+            The factors.  Only factors of one group may multiply each other in one entry of the
+            closed loop's matrices.
+        tolerance : float
+            Largest deviation from a multi-affine function that counts as rounding, relative to
+            the largest entry; 0 wants none at all.
+
+        Returns
+        -------
+        Family
+
+        Raises
+        ------
+        ValueError
+            If the closed loop is not multi-affine in these factors, or one multiplies another group's.
+        """
+        factors = tuple(dict.fromkeys(name for group in groups for name in group))
+        products = [*_products(groups)]
+        loops = [closed_loop(**{name: float(name in product) for name in factors}) for product in products]
+        # A square of a factor looks like the factor itself at 0 and 1, and differs at 2.
+        loops.append(closed_loop(**dict.fromkeys(factors, 2.0)))
+        exponent, (*corners, wanted) = _whole(loops)
+        # The matrix at a corner is the sum of the terms of all its subsets: subtract the smaller ones.
+        terms: dict[Product, NDArray] = {}
+        for product, corner in zip(products, corners, strict=True):
+            smaller = [term for part, term in terms.items() if {*part} < {*product}]
+            terms[product] = corner - sum(smaller, start=0 * corner)
+        doubled = sum(2 ** len(product) * term for product, term in terms.items())
+        if abs(doubled - wanted).max() > tolerance * abs(wanted).max():
+            raise ValueError(f"Family.of: got a closed loop not multi-affine in {', '.join(factors)}")
+        zero = loops[0]
+        names = (tuple(labels) for labels in (zero.state_labels, zero.input_labels, zero.output_labels))
+        return cls(
+            factors, {product: term for product, term in terms.items() if term.any()}, exponent, *names
+        )
+
+    @cached_property
+    def _state_terms(self) -> NDArray:
+        """The terms of the state matrix alone, rounded; shape (number of terms, n, n)."""
+        n = len(self.states)
+        return np.array([(term[:n, :n] / 2**self.exponent).astype(float) for term in self.terms.values()])
+
+    def matrices(self, factors: Mapping[str, ArrayLike]) -> NDArray:
+        """Return state matrices, shape (..., n, n), at values of the ``factors`` whose shapes broadcast.
+
+        Raises
+        ------
+        ValueError
+            If a factor is missing.
+        """
+        if missing := [name for name in self.factors if name not in factors]:
+            raise ValueError(f"factors in Family.matrices: got {', '.join(factors)}, wanted {missing[0]} too")
+        values = {name: np.asarray(value) for name, value in factors.items()}
+        weights = np.empty(
+            (len(self.terms), *np.broadcast_shapes(*(value.shape for value in values.values()))),
+            np.result_type(float, *values.values()),
+        )
+        for i, product in enumerate(self.terms):
+            weights[i] = prod((values[name] for name in product), start=1.0)
+        return np.tensordot(weights, self._state_terms, axes=(0, 0))
 
 
-def _jet(eqs: PerturbationEquations, stations: NDArray) -> NDArray:
-    """Return what one pound of the jet does to the states, by its stations (ft); shape (S, 7) [Eq. 125]."""
-    column = -_readings(eqs.modes, stations, "deflection") * [0, 0, 0, eqs.jet["F1"], 0, eqs.jet["F2"], 0]
-    column = np.roll(column, 1, axis=1)
-    column[:, 0], column[:, 2] = eqs.jet["Z"] / eqs.U, eqs.jet["M"] * (stations - eqs.l_CG)
-    return column
+def _whole(loops: Sequence[control.StateSpace]) -> tuple[int, list[NDArray]]:
+    """Return an exponent e and the matrices [A B; C D] times 2^e, all of whole numbers."""
+    matrices = [np.block([[loop.A, loop.B], [loop.C, loop.D]]) for loop in loops]
+    exponent = max(x.as_integer_ratio()[1].bit_length() - 1 for matrix in matrices for x in matrix.flat)
+    whole = np.vectorize(int, otypes=[object])
+    return exponent, [whole(np.ldexp(matrix, exponent)) for matrix in matrices]
 
 
-def with_pair(
-    eqs: PerturbationEquations, gains: Mapping[str, NDArray], pole: complex = WANTED
-) -> dict[str, NDArray]:
-    """Return the ``gains`` (S,) with the one K_A and K_R that put a pair at a ``pole`` (1/s), the rest kept.
-
-    With x the states that a unit signal at the actuator moves at s = pole, and N x the angle
-    read, the loop closes at K_A (1 + K_R s) = -1 / (N x): `certificates.gains_for_pole` for all loops.
-    """
-    pole, none = checks.off_axis("pole", pole, "with_pair"), np.zeros_like(gains["K_C"])
-    A = state_matrices(eqs, {**gains, "K_A": none, "K_R": none})
-    push = np.zeros((*A.shape[:2], 1))
-    push[:, 7, 0] = gains["K_C"]
-    x = np.linalg.solve(pole * np.eye(A.shape[1]) - A, push)[:, :7, 0]
-    wanted = -1 / (_angle(eqs, gains) * x).sum(axis=1)
-    product = wanted.imag / pole.imag
-    K_A = wanted.real - product * pole.real
-    return {**gains, "K_A": K_A, "K_R": product / K_A}
-
-
-def closed_loop(eqs: PerturbationEquations, system: str, gains: Mapping[str, float]) -> control.StateSpace:
-    """Return the closed loop of one of `LOOPS` (``system``) at its ``gains``, as state space."""
-    return LOOPS[checks.one_of("system", system, tuple(LOOPS), "closed_loop")](eqs, **gains)
-
-
-def determinants(eqs: PerturbationEquations, system: str, gains: Mapping[str, float]) -> NDArray:
-    """Return the characteristic polynomial of the same loop from determinants, constant term first.
-
-    Parameters
-    ----------
-    eqs : PerturbationEquations
-    system : str
-        One of `LOOPS`.
-    gains : mapping of str to float
-        The arguments of its function.
-    """
-    loop = signature(LOOPS[checks.one_of("system", system, tuple(LOOPS), "determinants")])
-    given = loop.bind(eqs, **gains)
-    given.apply_defaults()
-    g = {n: checks.real(n, value, "determinants") for n, value in given.kwargs.items() if value is not None}
-    K_C, x = g["K_C"], g["K_A"] * g["K_C"]
-    if "jet" in g:
-        jet = JetLoop(g["K_r"], g["b"], g["sensor"], g["jet"])
-        bottom = npp.polymul([K_C, 1.0], closed_1(eqs, jet, g["kK_z"]))
-        return npp.polyadd(bottom, x * npp.polymul([1.0, g["K_R"]], theta_numerator(eqs, jet, g["kK_z"])))
-    inner = {gain: g[station] for gain, station in SENSORS.items() if gain in g}
-    free, at_K_C, at_x, at_y, *at_z = gain_terms(eqs, g.get("gyro"), list(inner.values())).values()
-    return (
-        free
-        + K_C * at_K_C
-        + x * (at_x + g["K_R"] * at_y)
-        + K_C * sum(g[gain] * p for gain, p in zip(inner, at_z, strict=True))
-    )
+def _products(groups: Sequence[Collection[str]]) -> Iterator[Product]:
+    """Yield all products of factors of one group, those of few factors first, none twice."""
+    for size in range(max(map(len, groups)) + 1):
+        yield from dict.fromkeys(product for group in groups for product in combinations(group, size))

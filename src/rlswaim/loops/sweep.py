@@ -1,13 +1,12 @@
-"""Sweeps over a grid of parameters: in chunks, on any executor, resumed after a kill."""
+"""Sweeps over a grid of parameters: in chunks, wherever joblib runs them, and resumed after a kill."""
 
-import hashlib
-import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, as_completed
+import shutil
+from collections.abc import Callable, Mapping
 from importlib.metadata import version
 from pathlib import Path
 
+import joblib
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
@@ -21,7 +20,6 @@ Function = Callable[..., NDArray]
 def sweep(
     function: Function,
     grid: Mapping[str, ArrayLike],
-    executor: Executor | None = None,
     *,
     chunk: int = 10_000,
     name: str = "value",
@@ -37,12 +35,9 @@ def sweep(
     ----------
     function : callable
         Called as ``function(a=..., b=...)`` with one array of shape (m,) for each
-        parameter; returns m real numbers.  For another process it must be importable.
+        parameter; returns m real numbers.
     grid : mapping of str to array_like
         The values of each parameter; all combinations are computed.
-    executor : concurrent.futures.Executor, optional
-        Where chunks run, for instance a process pool or Dask's ``Client.get_executor()``;
-        in this process without one.
     chunk : int
         Points a chunk.
     name, unit : str
@@ -67,40 +62,60 @@ def sweep(
     ValueError
         If the grid is empty or not finite, a chunk's result has another shape or is no number,
         or the file belongs to another sweep.
+
+    Notes
+    -----
+    Chunks run in this process, or within ``with joblib.parallel_config(...)`` where that says: in
+    threads, in processes, or on the workers of a Dask cluster.
     """
     axes = {key: checks.frozen_array(key, np.atleast_1d(values), "sweep") for key, values in grid.items()}
-    shape = tuple(axis.size for axis in axes.values())
-    total = int(np.prod(shape)) if shape else 0
+    total = int(np.prod([axis.size for axis in axes.values()])) if axes else 0
     if not total or chunk < 1:
         raise ValueError(f"sweep: got {total} points in chunks of {chunk}, wanted at least one point in each")
-    label = f"{function.__module__}.{getattr(function, '__qualname__', type(function).__qualname__)}"
-    attributes = {
-        "units": unit,
-        "rlswaim": version("rlswaim"),
-        "function": label,
-        "fingerprint": _fingerprint(axes, chunk, label + key),
-    }
-    store = None if path is None else _Store(Path(path), attributes["fingerprint"])
-    if store and store.whole():
-        return store.read(name)
-    bounds = [(start, min(start + chunk, total)) for start in range(0, total, chunk)]
-    values = np.empty(total)
-    with tqdm(total=total, unit=" points", disable=not progress) as bar:
-        for start, found in _results(function, axes, shape, bounds, executor, store):
-            values[start : start + found.size] = found
-            bar.update(found.size)
+    named = getattr(function, "func", function)  # what a functools.partial calls
+    label = f"{named.__module__}.{getattr(named, '__qualname__', type(named).__qualname__)}"
+    attributes = {"units": unit, "rlswaim": version("rlswaim"), "function": label}
+    attributes["fingerprint"] = joblib.hash([label, key, version("rlswaim"), list(axes), list(axes.values())])
+    if path is None:
+        values = _values(evaluate, function, axes, total, chunk, progress)
+    elif Path(path).exists():
+        return _read(Path(path), attributes["fingerprint"])
+    else:
+        parts = Path(f"{path}.{attributes['fingerprint']}.parts").absolute()
+        kept = joblib.Memory(parts, verbose=0).cache(evaluate, ignore=["function", "axes"])
+        values = _values(kept, function, axes, total, chunk, progress)
     coordinates = {key: (key, axis, {"units": (units or {}).get(key, "1")}) for key, axis in axes.items()}
+    shape = [axis.size for axis in axes.values()]
     result = xr.DataArray(values.reshape(shape), coordinates, list(axes), name, attributes)
-    if store:
-        store.finish(result)
+    if path is not None:
+        result.to_netcdf(parts / "whole.nc", engine="scipy")
+        (parts / "whole.nc").replace(path)
+        shutil.rmtree(parts)
     return result
 
 
-def evaluate(
-    function: Function, axes: Mapping[str, NDArray], shape: tuple[int, ...], start: int, stop: int
-) -> NDArray:
-    """Return a function's values on points ``start`` to ``stop`` of a grid of axes; shape (stop - start,)."""
-    index = np.unravel_index(np.arange(start, stop), shape)
+def evaluate(function: Function, axes: Mapping[str, NDArray], start: int, stop: int) -> NDArray:
+    """Return a function's values on some points of a grid.
+
+    Parameters
+    ----------
+    function : callable
+        As in `sweep`.
+    axes : mapping of str to ndarray
+        The values of each parameter.
+    start, stop : int
+        The first of the points, and the one after the last, the last parameter running fastest.
+
+    Returns
+    -------
+    ndarray, shape (stop - start,)
+
+    Raises
+    ------
+    ValueError
+        If the function returns something else than so many real numbers.
+    """
+    index = np.unravel_index(np.arange(start, stop), tuple(axis.size for axis in axes.values()))
     point = {key: axis[i] for (key, axis), i in zip(axes.items(), index, strict=True)}
     found = np.asarray(function(**point))
     if found.shape != (stop - start,) or found.dtype.kind not in "iuf":
@@ -111,79 +126,36 @@ def evaluate(
     return found.astype(float)
 
 
-def _results(
-    function: Function,
-    axes: Mapping[str, NDArray],
-    shape: tuple[int, ...],
-    bounds: Sequence[tuple[int, int]],
-    executor: Executor | None,
-    store: "_Store | None",
-) -> Iterator[tuple[int, NDArray]]:
-    """Yield each chunk's start and values: stored ones first, the others as they finish."""
-    waiting = []
-    for start, stop in bounds:
-        kept = store.load(start) if store else None
-        if kept is None:
-            waiting.append((start, stop))
-        else:
-            yield start, kept
-    if executor is None:
-        jobs = ((start, evaluate(function, axes, shape, start, stop)) for start, stop in waiting)
-    else:
-        futures = {executor.submit(evaluate, function, dict(axes), shape, *b): b[0] for b in waiting}
-        jobs = ((futures[done], done.result()) for done in as_completed(futures))
-    for start, found in jobs:
-        if store:
-            store.keep(start, found)
-        yield start, found
+class _Parallel(joblib.Parallel):
+    """Runs chunks where joblib's context says, and moves a progress bar on after each."""
+
+    def __init__(self, bar: tqdm, chunk: int) -> None:
+        super().__init__()
+        self.bar, self.chunk = bar, chunk
+
+    def print_progress(self) -> None:
+        self.bar.update(min(self.n_completed_tasks * self.chunk, self.bar.total) - self.bar.n)
 
 
-def _fingerprint(axes: Mapping[str, NDArray], chunk: int, label: str) -> str:
-    digest = hashlib.sha256(json.dumps([label, chunk, version("rlswaim"), *axes]).encode())
-    for axis in axes.values():
-        digest.update(axis.tobytes())
-    return digest.hexdigest()[:16]
+def _values(
+    run: Function, function: Function, axes: Mapping[str, NDArray], total: int, chunk: int, progress: bool
+) -> NDArray:
+    """Return the values on all points by ``run``, which is `evaluate` with or without a memory."""
+    with tqdm(total=total, unit=" points", disable=not progress) as bar:
+        jobs = (
+            joblib.delayed(run)(function, dict(axes), start, min(start + chunk, total))
+            for start in range(0, total, chunk)
+        )
+        return np.concatenate(_Parallel(bar, chunk)(jobs))
 
 
-class _Store:
-    """A result's NetCDF file, and the folder of finished chunks beside it."""
-
-    def __init__(self, path: Path, fingerprint: str) -> None:
-        self.path, self.fingerprint = path, fingerprint
-        self.parts = path.with_name(path.name + ".parts") / fingerprint
-
-    def whole(self) -> bool:
-        """Whether the file is there; ValueError if it belongs to another sweep."""
-        if not self.path.exists():
-            self.parts.mkdir(parents=True, exist_ok=True)
-            return False
-        found = self.read("").attrs.get("fingerprint")
-        if found != self.fingerprint:
-            raise ValueError(
-                f"sweep: got {self.path} of sweep {found}, wanted one of {self.fingerprint}; "
-                "name another file or remove this one"
-            )
-        return True
-
-    def read(self, name: str) -> xr.DataArray:
-        with xr.open_dataarray(self.path, engine="scipy") as stored:
-            return stored.load()
-
-    def load(self, start: int) -> NDArray | None:
-        part = self.parts / f"{start}.npy"
-        return np.load(part) if part.exists() else None
-
-    def keep(self, start: int, found: NDArray) -> None:
-        """Write a chunk under another name first: a killed run leaves no half file."""
-        half = self.parts / f"{start}.half"
-        with half.open("wb") as stream:
-            np.save(stream, found)
-        half.replace(self.parts / f"{start}.npy")
-
-    def finish(self, result: xr.DataArray) -> None:
-        result.to_netcdf(self.path, engine="scipy")
-        for part in self.parts.iterdir():
-            part.unlink()
-        self.parts.rmdir()
-        if not any(self.parts.parent.iterdir()):
-            self.parts.parent.rmdir()
+def _read(path: Path, fingerprint: str) -> xr.DataArray:
+    """Return a stored result; ValueError if it belongs to another sweep."""
+    with xr.open_dataarray(path, engine="scipy") as stored:
+        result = stored.load()
+    if (found := result.attrs.get("fingerprint")) != fingerprint:
+        raise ValueError(
+            f"sweep: got {path} of sweep {found}, wanted one of {fingerprint}; "
+            "name another file or remove this one"
+        )
+    return result

@@ -12,95 +12,15 @@ from collections.abc import Sequence
 import control
 import numpy as np
 
+from rlswaim.loops.blocks import gyro_package, joined, lag, linear_sensor, without_input
 from rlswaim.source import checks
-from rlswaim.vehicle.equations import JET_STATION, STATES, PerturbationEquations
-
-
-def _sensor(name: str, weights: dict[str, float]) -> control.StateSpace:
-    """Return an ideal sensor: a weighted sum of the vehicle's states."""
-    D = np.array([[weights.get(state, 0.0) for state in STATES]])
-    return control.ss(
-        [],
-        np.zeros((0, len(STATES))),
-        np.zeros((1, 0)),
-        D,
-        name=f"sensor of {name}",
-        inputs=list(STATES),
-        outputs=name,
-    )
-
-
-def _lag(name: str, signal: str, output: str, pole: float, gain: float = 1.0) -> control.StateSpace:
-    """Return ``gain * pole / (s + pole)``."""
-    return control.ss(
-        [[-pole]],
-        [[1.0]],
-        [[gain * pole]],
-        [[0.0]],
-        name=name,
-        inputs=signal,
-        outputs=output,
-        states=f"x_{output}",
-    )
-
-
-def _gyro(eqs: PerturbationEquations, K_R: float, gyro: float | None) -> control.StateSpace:
-    """Return the rate and attitude gyro: theta_F from the total or the rigid-body angle [Eq. 57]."""
-    sigma = [0.0, 0.0] if gyro is None else [mode.slope(gyro) for mode in eqs.modes]
-    return _sensor(
-        "theta_F",
-        {
-            "theta": 1.0,
-            "thetadot": K_R,
-            "q1": -sigma[0],
-            "q1dot": -K_R * sigma[0],
-            "q2": -sigma[1],
-            "q2dot": -K_R * sigma[1],
-        },
-    )
-
-
-def _displacement(
-    eqs: PerturbationEquations, name: str, K_z: float, sensor: float, b: float = 1.0
-) -> control.StateSpace:
-    """Return the elastic part of the linear sensor: -K_z (s + b)(phi_1 q_1 + phi_2 q_2) [Eq. 99]."""
-    phi = [K_z * mode.deflection(sensor) for mode in eqs.modes]
-    return _sensor(name, {"q1": -b * phi[0], "q1dot": -phi[0], "q2": -b * phi[1], "q2dot": -phi[1]})
-
-
-def _closed_loop(
-    name: str, blocks: Sequence[control.StateSpace], actuators: Sequence[str]
-) -> control.StateSpace:
-    """Return the blocks joined by signal name, from theta_c and alpha_g to the states and actuators."""
-    outputs = [*STATES, *actuators]
-    return control.interconnect(
-        list(blocks),
-        name=name,
-        inputs=["theta_c", "alpha_g"],
-        outputs=outputs,
-        states=[f"x_{signal}" for signal in outputs],
-        warn_duplicate=False,
-    )
+from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
+from rlswaim.vehicle.stations import as_station
 
 
 def _gains(system: str, eqs: PerturbationEquations, **gains: object) -> list[float]:
     checks.instance("eqs", eqs, PerturbationEquations, system)
     return [checks.real(name, value, system) for name, value in gains.items()]
-
-
-def _without(vehicle: control.StateSpace, signal: str) -> control.StateSpace:
-    """Return the vehicle without one of its inputs."""
-    kept = [label for label in vehicle.input_labels if label != signal]
-    return control.ss(
-        vehicle.A,
-        vehicle.B[:, [vehicle.input_labels.index(k) for k in kept]],
-        vehicle.C,
-        np.zeros((len(STATES), len(kept))),
-        name="vehicle",
-        inputs=kept,
-        outputs=list(STATES),
-        states=vehicle.state_labels,
-    )
 
 
 def rate_attitude(
@@ -137,14 +57,14 @@ def rate_attitude(
     The control law is Eq. 58; the characteristic equation is that of Eqs. 59 and 83.
     """
     K_A, K_C, K_R = _gains("rate_attitude", eqs, K_A=K_A, K_C=K_C, K_R=K_R)
-    station = None if gyro is None else checks.station("gyro", gyro, "rate_attitude")
-    return _closed_loop(
+    station = None if gyro is None else as_station("gyro", gyro, "rate_attitude")
+    return joined(
         "rate_attitude",
         [
-            _without(eqs.state_space(), "delta_r"),
-            _gyro(eqs, K_R, station),
+            without_input(eqs.state_space(), "delta_r"),
+            gyro_package(eqs, K_R, station),
             control.summing_junction(["theta_c", "-theta_F"], "theta_e"),
-            _lag("actuator", "theta_e", "delta", K_C, K_A),
+            lag("actuator", "theta_e", "delta", K_C, K_A),
         ],
         ["delta"],
     )
@@ -160,11 +80,11 @@ def _inner_loop_system(
 ) -> control.StateSpace:
     """Return the loop of Sections V and VI: delta = K_C/(s + K_C) [K_A (theta_c - theta_F) - sum of z]."""
     signals = [sensor.output_labels[0] for sensor in sensors]
-    return _closed_loop(
+    return joined(
         name,
         [
-            _without(eqs.state_space(), "delta_r"),
-            _gyro(eqs, K_R, None),
+            without_input(eqs.state_space(), "delta_r"),
+            gyro_package(eqs, K_R, None),
             control.summing_junction(["theta_c", "-theta_F"], "theta_e"),
             control.ss(
                 [],
@@ -177,7 +97,7 @@ def _inner_loop_system(
             ),
             control.summing_junction(["u", *(f"-{signal}" for signal in signals)], "delta_2"),
             *sensors,
-            _lag("actuator", "delta_2", "delta", K_C),
+            lag("actuator", "delta_2", "delta", K_C),
         ],
         ["delta"],
     )
@@ -215,8 +135,8 @@ def single_sensor(
     Figures 12 to 14, Eqs. 98 to 110.
     """
     K_A, K_C, K_R, K_z = _gains("single_sensor", eqs, K_A=K_A, K_C=K_C, K_R=K_R, K_z=K_z)
-    station = checks.station("sensor", sensor, "single_sensor")
-    return _inner_loop_system("single_sensor", eqs, K_A, K_C, K_R, [_displacement(eqs, "z", K_z, station)])
+    station = as_station("sensor", sensor, "single_sensor")
+    return _inner_loop_system("single_sensor", eqs, K_A, K_C, K_R, [linear_sensor(eqs, "z", K_z, station)])
 
 
 def two_sensor(
@@ -260,7 +180,7 @@ def two_sensor(
     """
     K_A, K_C, K_R, K_za, K_zb = _gains("two_sensor", eqs, K_A=K_A, K_C=K_C, K_R=K_R, K_za=K_za, K_zb=K_zb)
     at = [
-        checks.station(name, value, "two_sensor")
+        as_station(name, value, "two_sensor")
         for name, value in (("sensor_a", sensor_a), ("sensor_b", sensor_b))
     ]
     return _inner_loop_system(
@@ -269,7 +189,7 @@ def two_sensor(
         K_A,
         K_C,
         K_R,
-        [_displacement(eqs, "z_a", K_za, at[0]), _displacement(eqs, "z_b", K_zb, at[1])],
+        [linear_sensor(eqs, "z_a", K_za, at[0]), linear_sensor(eqs, "z_b", K_zb, at[1])],
     )
 
 
@@ -321,16 +241,16 @@ def dual_actuation(
     K_A, K_C, K_R, kK_z, K_r, b = _gains(
         "dual_actuation", eqs, K_A=K_A, K_C=K_C, K_R=K_R, kK_z=kK_z, K_r=K_r, b=b
     )
-    at = [checks.station(name, value, "dual_actuation") for name, value in (("sensor", sensor), ("jet", jet))]
-    return _closed_loop(
+    at = [as_station(name, value, "dual_actuation") for name, value in (("sensor", sensor), ("jet", jet))]
+    return joined(
         "dual_actuation",
         [
             eqs.state_space(at[1]),
-            _gyro(eqs, K_R, None),
+            gyro_package(eqs, K_R, None),
             control.summing_junction(["theta_c", "-theta_F"], "theta_e"),
-            _lag("actuator", "theta_e", "delta", K_C, K_A),
-            _displacement(eqs, "z", -kK_z, at[0], b),
-            _lag("valve", "z", "delta_r", K_r),
+            lag("actuator", "theta_e", "delta", K_C, K_A),
+            linear_sensor(eqs, "z", -kK_z, at[0], b),
+            lag("valve", "z", "delta_r", K_r),
         ],
         ["delta", "delta_r"],
     )

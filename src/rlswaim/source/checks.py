@@ -8,12 +8,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-LENGTH = 420.0
-"""Length of the vehicle (ft): stations run from 0 at the nose to this."""
+
+def named(what: str, where: str) -> str:
+    """Return how an error names a value.
+
+    Parameters
+    ----------
+    what, where : str
+        Name of the value, and of the place that it was given to; the place may be empty.
+    """
+    return f"{what} in {where}" if where else what
 
 
 def real(what: str, value: object, where: str = "") -> float:
-    """Return ``value`` as a finite float.
+    """Return a value as a finite float.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    value : object
 
     Raises
     ------
@@ -22,52 +36,87 @@ def real(what: str, value: object, where: str = "") -> float:
     ValueError
         If it is nan or infinite.
     """
-    place = f" in {where}" if where else ""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value.item()
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, Real):
-        raise TypeError(f"{what}{place}: got {value!r} ({type(value).__name__}), wanted a real number")
+        kind = type(value).__name__
+        raise TypeError(f"{named(what, where)}: got {value!r} ({kind}), wanted a real number")
     if not math.isfinite(value):
-        raise ValueError(f"{what}{place}: got {value}, wanted a finite number")
+        raise ValueError(f"{named(what, where)}: got {value}, wanted a finite number")
     return float(value)
 
 
 def positive(what: str, value: object, where: str = "") -> float:
-    """Return ``value`` as a finite float greater than zero; ValueError or TypeError otherwise."""
+    """Return a value as a finite float greater than zero.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    value : object
+
+    Raises
+    ------
+    TypeError, ValueError
+        As in `real`, and if the value is not above zero.
+    """
     number = real(what, value, where)
     if number <= 0:
-        raise ValueError(f"{what}{' in ' + where if where else ''}: got {number:g}, wanted a number above 0")
+        raise ValueError(f"{named(what, where)}: got {number:g}, wanted a number above 0")
     return number
 
 
 def not_negative(what: str, value: object, where: str = "") -> float:
-    """Return ``value`` as a finite float of at least zero; ValueError or TypeError otherwise."""
+    """Return a value as a finite float of at least zero.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    value : object
+
+    Raises
+    ------
+    TypeError, ValueError
+        As in `real`, and if the value is below zero.
+    """
     number = real(what, value, where)
     if number < 0:
-        raise ValueError(f"{what}{' in ' + where if where else ''}: got {number:g}, wanted 0 or more")
-    return number
-
-
-def station(what: str, value: object, where: str = "") -> float:
-    """Return ``value`` as a station in feet; ValueError outside 0..420 ft."""
-    number = real(what, value, where)
-    if not 0 <= number <= LENGTH:
-        place = f" in {where}" if where else ""
-        raise ValueError(f"{what}{place}: got station {number:g} ft, wanted 0 to {LENGTH:g} ft")
+        raise ValueError(f"{named(what, where)}: got {number:g}, wanted 0 or more")
     return number
 
 
 def off_axis(what: str, value: complex, where: str) -> complex:
-    """Return ``value`` as a finite complex number off the real axis; ValueError otherwise."""
+    """Return a value as a finite complex number off the real axis.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    value : complex
+
+    Raises
+    ------
+    ValueError
+        If it is not finite or is real.
+    """
     if not np.isfinite(value) or not np.imag(value):
-        raise ValueError(f"{what} in {where}: got {value}, wanted a finite number off the real axis")
+        raise ValueError(f"{named(what, where)}: got {value}, wanted a finite number off the real axis")
     return complex(value)
 
 
 def frozen_array(
     what: str, values: ArrayLike, where: str = "", shape: tuple[int, ...] | None = None
 ) -> NDArray:
-    """Return a read-only float copy of ``values``.
+    """Return a read-only float copy of some values.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    values : array_like
+    shape : tuple of int, optional
+        The shape that they must have.
 
     Raises
     ------
@@ -76,57 +125,55 @@ def frozen_array(
     ValueError
         If one is not finite, or the shape is not the wanted one.
     """
-    place = f" in {where}" if where else ""
     raw = np.asarray(values)
     if raw.dtype.kind not in "iuf":
-        raise TypeError(f"{what}{place}: got an array of {raw.dtype}, wanted real numbers")
+        raise TypeError(f"{named(what, where)}: got an array of {raw.dtype}, wanted real numbers")
     array = np.array(raw, dtype=float)
     if shape is not None and array.shape != shape:
-        raise ValueError(f"{what}{place}: got shape {array.shape}, wanted {shape}")
+        raise ValueError(f"{named(what, where)}: got shape {array.shape}, wanted {shape}")
     if not np.isfinite(array).all():
         at = int(np.flatnonzero(~np.isfinite(array))[0])
-        raise ValueError(f"{what}[{at}]{place}: got {array.flat[at]}, wanted finite numbers")
+        raise ValueError(f"{named(f'{what}[{at}]', where)}: got {array.flat[at]}, wanted finite numbers")
     array.setflags(write=False)
     return array
 
 
-def stations(what: str, values: ArrayLike, where: str = "") -> NDArray:
-    """Return ``values`` as stations in feet; ValueError if one lies outside 0..420 ft."""
-    array = frozen_array(what, values, where)
-    outside = np.flatnonzero((array < 0) | (array > LENGTH))
-    if outside.size:
-        at = int(outside[0])
-        place = f" in {where}" if where else ""
-        raise ValueError(f"{what}[{at}]{place}: got station {array.flat[at]:g} ft, wanted 0 to {LENGTH:g} ft")
-    return array
-
-
-def increasing(what: str, values: ArrayLike, where: str = "") -> NDArray:
-    """Return ``values`` as strictly increasing stations in feet; ValueError otherwise."""
-    array = stations(what, values, where)
-    stuck = np.flatnonzero(np.diff(array) <= 0)
-    if stuck.size:
-        at = int(stuck[0]) + 1
-        place = f" in {where}" if where else ""
-        raise ValueError(
-            f"{what}{place}: got {what}[{at}] = {array[at]:g} ft after {array[at - 1]:g} ft, "
-            "wanted increasing stations"
-        )
-    return array
-
-
 def instance(what: str, value: Any, kind: type, where: str = "") -> Any:
-    """Return ``value`` if it is a ``kind``; TypeError otherwise."""
+    """Return a value if it is of a kind.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    value : object
+    kind : type
+
+    Raises
+    ------
+    TypeError
+        If it is of another kind.
+    """
     if not isinstance(value, kind):
-        place = f" in {where}" if where else ""
-        raise TypeError(f"{what}{place}: got {type(value).__name__}, wanted {kind.__name__}")
+        raise TypeError(f"{named(what, where)}: got {type(value).__name__}, wanted {kind.__name__}")
     return value
 
 
 def one_of(what: str, value: object, names: Iterable[str], where: str = "") -> str:
-    """Return ``value`` if it is one of ``names``; ValueError that lists them otherwise."""
+    """Return a value if it is one of some names.
+
+    Parameters
+    ----------
+    what, where : str
+        As in `named`.
+    value : object
+    names : iterable of str
+
+    Raises
+    ------
+    ValueError
+        If it is none of them; the error lists them.
+    """
     known = list(names)
     if not isinstance(value, str) or value not in known:
-        place = f" in {where}" if where else ""
-        raise ValueError(f"{what}{place}: got {value!r}, wanted one of {', '.join(known)}")
+        raise ValueError(f"{named(what, where)}: got {value!r}, wanted one of {', '.join(known)}")
     return value

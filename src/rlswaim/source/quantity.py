@@ -14,7 +14,15 @@ class Notation(NamedTuple):
 
 
 def quantity(symbol: str, unit: str, meaning: str, source: str, **options: Any) -> Any:
-    """Return a dataclass field with symbol, unit, meaning, source and the field's own options."""
+    """Return a dataclass field that knows what it stands for.
+
+    Parameters
+    ----------
+    symbol, unit, meaning, source : str
+        As in `Notation`.
+    **options
+        Those of `dataclasses.field`, for instance a default.
+    """
     return dataclasses.field(metadata={"notation": Notation(symbol, unit, meaning, source)}, **options)
 
 

@@ -36,10 +36,37 @@ def printed_rows(section: str) -> tuple[Row, ...]:
     return tuple(row for row in read_table("printed") if row["section"] == section)
 
 
+@cache
+def _printed_texts() -> dict[str, str]:
+    return {row["id"]: row["printed"] for row in read_table("printed")}
+
+
+def number(cell: str) -> float:
+    """Return the number in a ``cell`` of a table.
+
+    The cell may hold the id of a row of ``data/printed.csv``, the one home of printed numbers, instead;
+    thousands may be set apart by commas.
+    """
+    return float(_printed_texts().get(cell, cell).replace(",", ""))
+
+
 def printed(section: str, start: str = "") -> dict[str, float]:
-    """Return the printed numbers of one ``section`` whose ids begin with ``start``, by the rest of the id."""
+    """Return printed numbers of one section.
+
+    Parameters
+    ----------
+    section : str
+        ``"II"`` to ``"VII"``.
+    start : str
+        How the ids begin that are wanted.
+
+    Returns
+    -------
+    dict of str to float
+        By the rest of the id.
+    """
     rows = (row for row in printed_rows(section) if row["id"].startswith(start))
-    return {row["id"].removeprefix(start): float(row["printed"].replace(",", "")) for row in rows}
+    return {row["id"].removeprefix(start): number(row["printed"]) for row in rows}
 
 
 def half_unit(number: str) -> float:
@@ -57,12 +84,20 @@ def half_unit(number: str) -> float:
 
 def constants(name: str) -> dict[str, float]:
     """Return column ``value`` of ``data/<name>.csv`` by column ``symbol``, in each row's unit."""
-    return {row["symbol"]: float(row["value"]) for row in read_table(name)}
+    return {row["symbol"]: number(row["value"]) for row in read_table(name)}
 
 
 def column(name: str, key: str) -> list[float]:
-    """Return column ``key`` of ``data/<name>.csv`` as numbers."""
-    return [float(row[key]) for row in read_table(name)]
+    """Return a column of ``data/<name>.csv`` as numbers.
+
+    Parameters
+    ----------
+    name : str
+        File name without its ending.
+    key : str
+        Name of the column.
+    """
+    return [number(row[key]) for row in read_table(name)]
 
 
 def script(*path: str) -> str:

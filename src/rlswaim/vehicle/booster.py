@@ -1,15 +1,17 @@
 """The vehicle: masses, lifting surfaces, thrust and flight condition [Section II]."""
 
 from dataclasses import dataclass, field, replace
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
-from rlswaim.source.tables import column, constants, read_table
+from rlswaim.source.tables import column, constants, number, read_table
 from rlswaim.vehicle.modes import BendingMode, generalized_mass, purified
+from rlswaim.vehicle.stations import as_station, increasing_stations
+from rlswaim.vehicle.trajectory import level_at_burnout, swaim_ascent
 
 
 @dataclass(frozen=True)
@@ -26,6 +28,13 @@ class FlightCondition:
     U: float = quantity("U", "ft/s", "undisturbed speed along the x axis", "Section II, Figure 4")
     h: float = quantity("h", "ft", "altitude", "Section II, Figure 3")
     t: float = quantity("t", "s", "time from launch", "Section II")
+    gamma_0: float | None = quantity(
+        "gamma_0",
+        "rad",
+        "angle of the flight path, if it is known",
+        "Section II; the pitch program is the book's",
+        default=None,
+    )
 
     def __post_init__(self) -> None:
         """Check the numbers."""
@@ -34,6 +43,21 @@ class FlightCondition:
         object.__setattr__(self, "U", checks.positive("U", self.U, where))
         object.__setattr__(self, "h", checks.real("h", self.h, where))
         object.__setattr__(self, "t", checks.not_negative("t", self.t, where))
+        if self.gamma_0 is not None:
+            object.__setattr__(self, "gamma_0", checks.real("gamma_0", self.gamma_0, where))
+
+    @property
+    def weight_across(self) -> float:
+        """The weight across the path over the mass, g sin gamma_0 (ft/s^2) [Eq. 1].
+
+        Raises
+        ------
+        ValueError
+            If gamma_0 is not known.
+        """
+        if self.gamma_0 is None:
+            raise ValueError("gamma_0 in FlightCondition: got None, wanted the angle of the path (rad)")
+        return float(constants("vehicle")["g"] * np.sin(self.gamma_0))
 
 
 @dataclass(frozen=True)
@@ -55,7 +79,7 @@ class Surface:
     def __post_init__(self) -> None:
         """Check the numbers."""
         where = f"Surface {self.name}"
-        object.__setattr__(self, "station", checks.station("station", self.station, where))
+        object.__setattr__(self, "station", as_station("station", self.station, where))
         object.__setattr__(self, "C_Nalpha", checks.real("C_Nalpha", self.C_Nalpha, where))
 
 
@@ -70,7 +94,7 @@ class Booster:
     ------
     ValueError
         If a mass, the inertia, the area or an arm is not positive, the thrust
-        is negative, a station lies outside 0..420 ft, or there are not two modes.
+        is negative or a station lies outside 0..420 ft.
     """
 
     stations: NDArray = quantity("l", "ft", "stations of the concentrated masses", "Table 1")
@@ -92,7 +116,7 @@ class Booster:
 
     def __post_init__(self) -> None:
         """Check and freeze the data."""
-        x = checks.increasing("stations", self.stations, self.name)
+        x = increasing_stations("stations", self.stations, self.name)
         masses = checks.frozen_array("masses", self.masses, self.name, x.shape)
         for at, mass in enumerate(masses):
             checks.positive(f"masses[{at}]", float(mass), self.name)
@@ -100,11 +124,9 @@ class Booster:
         object.__setattr__(self, "masses", masses)
         for what in ("M", "I_y", "l_G", "S"):
             object.__setattr__(self, what, checks.positive(what, getattr(self, what), self.name))
-        object.__setattr__(self, "l_CG", checks.station("l_CG", self.l_CG, self.name))
+        object.__setattr__(self, "l_CG", as_station("l_CG", self.l_CG, self.name))
         object.__setattr__(self, "T", checks.not_negative("T", self.T, self.name))
-        checks.station("thrust point l_CG + l_G", self.thrust_station, self.name)
-        if len(self.modes) != 2:
-            raise ValueError(f"modes in {self.name}: got {len(self.modes)}, wanted 2 bending modes")
+        as_station("thrust point l_CG + l_G", self.thrust_station, self.name)
         checks.instance("flight", self.flight, FlightCondition, self.name)
         for what, parts, kind in (("modes", self.modes, BendingMode), ("surfaces", self.surfaces, Surface)):
             for at, part in enumerate(parts):
@@ -131,32 +153,34 @@ class Booster:
         modes = tuple(replace(mode, mass=self._sum_m_phi_squared(mode)) for mode in self.modes)
         return replace(self, M=total, l_CG=centre, I_y=inertia, modes=modes, l_G=self.thrust_station - centre)
 
-    def orthogonalized(self, second_first: bool = False) -> Self:
+    def orthogonalized(self, last_first: bool = False) -> Self:
         """Return the booster with modes that are orthogonal to rigid motion and to each other.
 
-        Parts along translation, rotation and the other mode are taken off by projection, the masses as
-        weights (Gram and Schmidt); the first mode, or with ``second_first`` the second, loses the rigid
+        Parts along translation, rotation and the modes before are taken off by projection, the masses as
+        weights (Gram and Schmidt); the first mode, or with ``last_first`` the last, loses the rigid
         parts alone.  Frequencies, damping ratios, phi = 1 at the thrust point and all data but the modes'
         are kept; generalized masses are the sums for the new shapes.
         """
         found: dict[int, BendingMode] = {}
-        for at in (1, 0) if second_first else (0, 1):
+        order = range(len(self.modes))
+        for at in reversed(order) if last_first else order:
             mode = purified(self.modes[at], self.stations, self.masses, list(found.values()))
             one = mode.deflection(self.thrust_station)
             mode = replace(mode, deflections=mode.deflections / one, slopes=mode.slopes / one)
             found[at] = replace(mode, mass=self._sum_m_phi_squared(mode))
-        return replace(self, modes=(found[0], found[1]), name=f"{self.name}, modes orthogonalized")
+        modes = tuple(found[at] for at in order)
+        return replace(self, modes=modes, name=f"{self.name}, modes orthogonalized")
 
     def _sum_m_phi_squared(self, mode: BendingMode) -> float:
         phi = np.asarray(mode.deflection(self.stations))
         return generalized_mass(self.masses, phi, phi)
 
 
-def _mode(number: int) -> BendingMode:
+def _mode(which: int) -> BendingMode:
     """Return bending mode 1 or 2 from the data tables [Table 2]."""
-    rows = [row for row in read_table("modes") if row["mode"] == str(number)]
+    rows = [row for row in read_table("modes") if row["mode"] == str(which)]
     pick = {
-        kind: [(float(r["station_ft"]), float(r["value"])) for r in rows if r["kind"] == kind]
+        kind: [(float(r["station_ft"]), number(r["value"])) for r in rows if r["kind"] == kind]
         for kind in ("deflection", "slope")
     }
     data = constants("vehicle")
@@ -166,10 +190,10 @@ def _mode(number: int) -> BendingMode:
         deflections=np.array(phi),
         slope_stations=np.array(at),
         slopes=np.array(sigma),
-        omega=data[f"omega_{number}"],
-        zeta=data[f"zeta_{number}"],
-        mass=data[f"mass_{number}"],
-        name=f"bending mode {number}",
+        omega=data[f"omega_{which}"],
+        zeta=data[f"zeta_{which}"],
+        mass=data[f"mass_{which}"],
+        name=f"bending mode {which}",
     )
 
 
@@ -182,7 +206,7 @@ def swaim_booster() -> Booster:
         Tables 1 and 2 and the text's figures; what the source lost is recovered
         from the printed coefficients, as each row of ``data/`` says.
     """
-    data = constants("vehicle")
+    data: dict[str, Any] = {**constants("vehicle")}
     surfaces = tuple(
         Surface(row["name"], float(row["station_ft"]), float(row["C_Nalpha_per_rad"]))
         for row in read_table("surfaces")
@@ -190,13 +214,11 @@ def swaim_booster() -> Booster:
     return Booster(
         stations=np.array(column("masses", "station_ft")),
         masses=np.array(column("masses", "mass_slug")),
-        M=data["M"],
-        I_y=data["I_y"],
-        l_CG=data["l_CG"],
-        l_G=data["l_G"],
-        S=data["S"],
-        T=data["T"],
+        **{symbol: data[symbol] for symbol in ("M", "I_y", "l_CG", "l_G", "S", "T")},
         surfaces=surfaces,
         modes=(_mode(1), _mode(2)),
-        flight=FlightCondition(**{symbol: data[symbol] for symbol in ("q_D", "U", "h", "t")}),
+        flight=FlightCondition(
+            **{symbol: data[symbol] for symbol in ("q_D", "U", "h", "t")},
+            gamma_0=level_at_burnout(swaim_ascent())(data["t"]),
+        ),
     )

@@ -15,7 +15,7 @@ import pandas as pd
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus
-from rlswaim.rootlocus.polynomials import determinant
+from rlswaim.rootlocus.polynomials import determinant, roots
 from rlswaim.source.tables import read_table
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
@@ -49,7 +49,9 @@ class Partition:
 
 
 def partition(eqs: PerturbationEquations) -> Partition:
-    """Return the uncoupled and the coupling part of Eq. 42 [Eqs. 43, 49 to 51]."""
+    """Return the uncoupled and the coupling part of Eq. 42 [Eqs. 43, 49 to 51]; ValueError without a mode."""
+    if not eqs.modes:
+        raise ValueError(f"modes in partition: got none in {eqs.source}, wanted a first bending mode")
     matrix = eqs.matrix[:3, :3]
     uncoupled = np.convolve(determinant(matrix[:2, :2]), matrix[2, 2])[:6] / eqs.U
     # The third row's expansion, so that no difference of the two large parts is taken.
@@ -84,14 +86,21 @@ def surface_sums(booster: Booster, mode: int = 1) -> Mapping[str, float]:
     ----------
     booster : Booster
     mode : int
-        1 or 2.
+        Number of a bending mode, from 1 up.
 
     Returns
     -------
     mapping
         ``phi`` (1/rad) [Eq. 53], ``phi_l`` (ft/rad) [Eq. 54], ``phi_arm`` (ft/rad), ``sigma`` (1/(ft rad)),
         ``sigma_arm`` (1/rad) and ``arm`` (ft/rad), where arm is l_CG - l.
+
+    Raises
+    ------
+    ValueError
+        If there is no such mode.
     """
+    if mode not in range(1, len(booster.modes) + 1):
+        raise ValueError(f"mode in surface_sums: got {mode}, wanted 1 to {len(booster.modes)}")
     C = np.array([surface.C_Nalpha for surface in booster.surfaces])
     x = np.array([surface.station for surface in booster.surfaces])
     phi, sigma = booster.modes[mode - 1].deflection(x), booster.modes[mode - 1].slope(x)
@@ -143,7 +152,14 @@ def divergence_frequency(booster: Booster) -> float:
 
 
 def dynamic_pressure_locus(booster: Booster, values: ArrayLike) -> RootLocus:
-    """Return the vehicle's poles as q_D runs over ``values`` (lb/ft^2); without air nothing couples."""
+    """Return the vehicle's poles over the dynamic pressure; without air nothing couples.
+
+    Parameters
+    ----------
+    booster : Booster
+    values : array_like
+        Dynamic pressures (lb/ft^2).
+    """
 
     def vehicle(q_D: float) -> control.StateSpace:
         varied = replace(booster, flight=replace(booster.flight, q_D=q_D))
@@ -152,13 +168,53 @@ def dynamic_pressure_locus(booster: Booster, values: ArrayLike) -> RootLocus:
     return parameter_locus(vehicle, values)
 
 
+def elastic_poles(eqs: PerturbationEquations) -> list[complex]:
+    """Return the pole above the real axis (1/s) of each bending mode, the first mode's first."""
+    poles = roots(eqs.characteristic_polynomial())
+    return sorted(poles[poles.imag > 1e-6], key=abs)
+
+
 def doubling_time(pole: float) -> float:
     """Return the time (s) in which a motion with a positive real pole (1/s) doubles."""
     return float(np.log(2) / pole)
 
 
+def mirrored_damping(booster: Booster, F2_q1dot: float) -> float:
+    """Return the F1_q2dot (1/s) that belongs to an F2_q1dot.
+
+    Both are one aerodynamic sum, over the generalized mass of their own equation.
+
+    Parameters
+    ----------
+    booster : Booster
+    F2_q1dot : float
+        In 1/s.
+
+    Returns
+    -------
+    float
+    """
+    return F2_q1dot * booster.modes[1].mass / booster.modes[0].mass
+
+
 def gust_response(eqs: PerturbationEquations, times: ArrayLike, alpha_g: float, modes: int = 2) -> NDArray:
-    """Return theta (rad) at ``times`` (s), shape (N,), after a gust ``alpha_g`` (rad); 0, 1 or 2 modes."""
+    """Return theta after a gust that sets in at once and stays.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    times : array_like, shape (N,)
+        Times (s).
+    alpha_g : float
+        Angle of attack that the gust adds (rad).
+    modes : int
+        How many of the bending modes take part.
+
+    Returns
+    -------
+    ndarray, shape (N,)
+        In rad.
+    """
     vehicle, n = eqs.state_space(), 3 + 2 * modes
     gust = vehicle.input_labels.index("alpha_g")
     kept = control.ss(vehicle.A[:n, :n], vehicle.B[:n, [gust]], np.eye(n)[[1]], np.zeros((1, 1)))

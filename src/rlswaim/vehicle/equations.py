@@ -1,15 +1,17 @@
-"""Perturbation equations of motion: short period and two bending modes [Eq. 29].
+"""Perturbation equations of motion: short period and any number of bending modes [Eq. 29].
 
-In the Laplace variable s, with alpha, theta in rad and q_1, q_2 in ft::
+In the Laplace variable s, with alpha, theta in rad and q_1, q_2, ... in ft::
 
     [U s + Z_alpha  (Z_thetadot - U) s   Z_q1dot s + Z_q1   ...] [alpha]   [-Z_delta ]
     [M_alpha        s^2 + M_thetadot s   M_q1dot s + M_q1   ...] [theta] = [-M_delta ] delta + ...
     [F1_alpha       F1_thetadot s        s^2 + F1_q1dot s ...  ] [q_1  ]   [-F1_delta]
-    [F2_alpha       F2_thetadot s        ...                   ] [q_2  ]   [-F2_delta]
+    [...            ...                  ...                   ] [...  ]   [...      ]
+
+Eq. 29 leaves out a term of Eq. 1: the weight across the path, g sin(gamma_0) theta in the first row.
 """
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 
@@ -20,23 +22,25 @@ from numpy.typing import NDArray
 from rlswaim.rootlocus.polynomials import determinant
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
-from rlswaim.source.tables import constants
+from rlswaim.source.tables import half_unit, printed, printed_rows
+from rlswaim.vehicle import eq_29
 from rlswaim.vehicle.booster import Booster, swaim_booster
 from rlswaim.vehicle.modes import BendingMode
+from rlswaim.vehicle.stations import as_station
 
-ROWS = ("Z", "M", "F1", "F2")
-COLUMNS = ("alpha", "thetadot", "q1dot", "q1", "q2dot", "q2", "delta")
-COEFFICIENTS = tuple(f"{row}_{column}" for row in ROWS for column in COLUMNS)
-STATES = ("alpha", "theta", "thetadot", "q1", "q1dot", "q2", "q2dot")
-OUTPUTS = ("alpha", "theta", "q1", "q2")
 INPUTS = ("delta", "delta_r", "alpha_g")
-JET_STATION = 140.0
+JET_STATION = printed("VII", "fig25-")["jet"]
 """Station of the reaction jet (ft) in the report's final design [Figure 25]."""
+
+
+ROWS, OUTPUTS, STATES = eq_29.row_names(2), eq_29.output_names(2), eq_29.state_names(2)
+COEFFICIENTS = eq_29.coefficient_names(2)
+"""The names for the report's two modes; those of other vehicles come from the functions."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class PerturbationEquations:
-    """The linearized equations of motion of one vehicle in one flight condition [Eqs. 29, 125].
+    """The linearized equations of motion of one vehicle in one flight condition [Eqs. 1, 29, 125].
 
     Raises
     ------
@@ -57,11 +61,18 @@ class PerturbationEquations:
     l_CG: float = quantity("l_CG", "ft", "station of the center of gravity", "Section II")
     modes: tuple[BendingMode, ...]
     source: str
+    gravity: float = quantity(
+        "Z_theta",
+        "ft/s^2/rad",
+        "weight across the path, g sin gamma_0; 0 where it is left out, as in Eq. 29",
+        "Eq. 1",
+        default=0.0,
+    )
 
     def __post_init__(self) -> None:
         """Check and freeze the data."""
         where = f"PerturbationEquations from {self.source}"
-        for what, names in (("coefficients", COEFFICIENTS), ("jet", ROWS)):
+        for what, names in (("coefficients", eq_29.coefficient_names(len(self.modes))), ("jet", self.rows)):
             given = dict(getattr(self, what))
             wrong = sorted(set(given) ^ set(names))
             if wrong:
@@ -72,21 +83,31 @@ class PerturbationEquations:
             frozen = {name: checks.real(name, given[name], where) for name in names}
             object.__setattr__(self, what, MappingProxyType(frozen))
         object.__setattr__(self, "U", checks.positive("U", self.U, where))
-        object.__setattr__(self, "l_CG", checks.station("l_CG", self.l_CG, where))
+        object.__setattr__(self, "l_CG", as_station("l_CG", self.l_CG, where))
+        object.__setattr__(self, "gravity", checks.real("gravity", self.gravity, where))
+
+    @cached_property
+    def rows(self) -> tuple[str, ...]:
+        """Names of the equations: Z, M, F1 and so on."""
+        return eq_29.row_names(len(self.modes))
+
+    @cached_property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the unknowns, the columns of `matrix`: alpha, theta, q1 and so on."""
+        return eq_29.output_names(len(self.modes))
+
+    @cached_property
+    def states(self) -> tuple[str, ...]:
+        """Names of the states: alpha, theta, thetadot, q1, q1dot and so on."""
+        return eq_29.state_names(len(self.modes))
 
     @cached_property
     def matrix(self) -> NDArray:
-        """The square matrix of Eq. 29: shape (4, 4, 3), powers of s ascending, columns as OUTPUTS."""
-        c = self.coefficients
-        matrix = np.zeros((4, 4, 3))
-        for i, row in enumerate(ROWS):
-            matrix[i, 0, 0] = c[f"{row}_alpha"]
-            matrix[i, 1, 1] = c[f"{row}_thetadot"]
-            matrix[i, 2, :2] = c[f"{row}_q1"], c[f"{row}_q1dot"]
-            matrix[i, 3, :2] = c[f"{row}_q2"], c[f"{row}_q2dot"]
-        matrix[0, 0, 1] += self.U
-        matrix[0, 1, 1] -= self.U
-        matrix[[1, 2, 3], [1, 2, 3], 2] += 1.0
+        """The square matrix of Eq. 29: shape (n, n, 3), powers of s ascending, columns as `outputs`."""
+        size = len(self.rows)
+        matrix = np.zeros((size, size, 3))
+        for i, j, power, weight, name in eq_29.equation_terms(len(self.modes), self.U, self.gravity):
+            matrix[i, j, power] += weight * self.coefficients[name] if name else weight
         return matrix
 
     def forcing(self, signal: str, jet: float = JET_STATION) -> NDArray:
@@ -102,19 +123,17 @@ class PerturbationEquations:
 
         Returns
         -------
-        ndarray, shape (4,)
+        ndarray, shape (n,)
         """
         checks.one_of("input", signal, INPUTS, "forcing")
         if signal == "delta_r":
-            station = checks.station("jet", jet, "forcing")
-            phi = [mode.deflection(station) for mode in self.modes]
-            arms = np.array([1.0, station - self.l_CG, -phi[0], -phi[1]])
-            return arms * [self.jet[row] for row in ROWS]
+            station = as_station("jet", jet, "forcing")
+            return eq_29.lever_matrix(self.modes, self.l_CG, station) * [self.jet[row] for row in self.rows]
         column = "alpha" if signal == "alpha_g" else signal
-        return np.array([-self.coefficients[f"{row}_{column}"] for row in ROWS])
+        return np.array([-self.coefficients[f"{row}_{column}"] for row in self.rows])
 
     def state_space(self, jet: float = JET_STATION) -> control.StateSpace:
-        """Return the vehicle as a state space with seven states.
+        """Return the vehicle as a state space: seven states with two modes.
 
         Parameters
         ----------
@@ -125,48 +144,51 @@ class PerturbationEquations:
         -------
         control.StateSpace
             Inputs delta (rad), delta_r (lb of jet force), alpha_g (rad); the outputs are the
-            states alpha, theta, thetadot, q1, q1dot, q2, q2dot (rad, ft, s).
+            states alpha, theta, thetadot, q1, q1dot and so on (rad, ft, s).
         """
-        c = self.coefficients
-        columns = ("alpha", None, "thetadot", "q1", "q1dot", "q2", "q2dot")
-        rows = np.array([[-c[f"{row}_{name}"] if name else 0.0 for name in columns] for row in ROWS])
-        rows[0, 2] += self.U
+        count, size = len(self.states), len(self.rows)
+        scale = np.array([self.U, *np.ones(size - 1)])[:, None]
         inputs = np.column_stack([self.forcing(signal, jet) for signal in INPUTS])
-        scale = np.array([[1 / self.U], [1.0], [1.0], [1.0]])
-        A, B = np.zeros((7, 7)), np.zeros((7, 3))
-        A[[0, 2, 4, 6]], B[[0, 2, 4, 6]] = rows * scale, inputs * scale
-        A[[1, 3, 5], [2, 4, 6]] = 1.0
+        moved = np.column_stack([self.matrix[:, 0, 0], self.matrix[:, 1:, :2].reshape(size, -1)])
+        A, B = np.zeros((count, count)), np.zeros((count, len(INPUTS)))
+        A[::2] -= moved / scale
+        B[::2] = inputs / scale
+        A[1::2, 2::2] = np.eye(size - 1)
         return control.ss(
             A,
             B,
-            np.eye(7),
-            np.zeros((7, 3)),
+            np.eye(count),
+            np.zeros_like(B),
             name="vehicle",
             inputs=list(INPUTS),
-            outputs=list(STATES),
-            states=[f"x_{s}" for s in STATES],
+            outputs=list(self.states),
+            states=[f"x_{s}" for s in self.states],
         )
 
-    def characteristic_polynomial(self, order: int = 4) -> NDArray:
-        """Return the leading ``order`` by ``order`` determinant over U, constant term first.
+    def characteristic_polynomial(self, order: int | None = None) -> NDArray:
+        """Return the determinant of the first ``order`` rows and columns over U, constant term first.
 
-        Order 2 is the rigid body alone [Eq. 39], 3 adds the first mode [Eq. 40], 4 both [Eq. 41].
+        Order 2 is the rigid body alone [Eq. 39], 3 adds the first mode [Eq. 40], 4 the second [Eq. 41];
+        without one, all modes are in.
         """
-        return determinant(self.matrix[:order, :order])[: 2 * order] / self.U
+        n = len(self.rows) if order is None else order
+        return determinant(self.matrix[:n, :n])[: 2 * n] / self.U
 
-    def numerator(self, output: str, signal: str, jet: float = JET_STATION, order: int = 4) -> NDArray:
+    def numerator(
+        self, output: str, signal: str, jet: float = JET_STATION, order: int | None = None
+    ) -> NDArray:
         """Return the numerator of output/input over U by Cramer's rule, constant term first.
 
         Parameters
         ----------
         output : str
-            One of alpha, theta, q1, q2.
+            One of alpha, theta, q1, q2 and so on.
         signal : str
             One of delta, delta_r, alpha_g.
         jet : float
             Station of the reaction jet (ft).
-        order : int
-            2 for the rigid body alone, 3 with the first mode, 4 with both.
+        order : int, optional
+            2 for the rigid body alone, 3 with the first mode, and so on; all modes without it.
 
         Returns
         -------
@@ -174,89 +196,97 @@ class PerturbationEquations:
             It belongs to the denominator `characteristic_polynomial` of the same order
             [Eqs. 60, 76, 92-94, 131, 132].
         """
-        j = OUTPUTS.index(checks.one_of("output", output, OUTPUTS[:order], "numerator"))
-        replaced = self.matrix[:order, :order].copy()
+        n = len(self.rows) if order is None else order
+        j = self.outputs.index(checks.one_of("output", output, self.outputs[:n], "numerator"))
+        replaced = self.matrix[:n, :n].copy()
         replaced[:, j] = 0.0
-        replaced[:, j, 0] = self.forcing(signal, jet)[:order]
-        return determinant(replaced)[: 2 * order] / self.U
+        replaced[:, j, 0] = self.forcing(signal, jet)[:n]
+        return determinant(replaced)[: 2 * n] / self.U
 
 
-def perturbation_equations(booster: Booster) -> PerturbationEquations:
+def perturbation_equations(booster: Booster, gravity: bool = False) -> PerturbationEquations:
     """Return Eq. 29 with every coefficient computed from the vehicle's data.
 
     Parameters
     ----------
     booster : Booster
+    gravity : bool
+        Keep Eq. 1's weight across the path, M g theta sin gamma_0, which Eq. 29 leaves out.
 
     Returns
     -------
     PerturbationEquations
         Coefficients by their formulas at the end of Section I.
+
+    Raises
+    ------
+    ValueError
+        If gravity is wanted and the flight's gamma_0 is not known.
     """
     checks.instance("booster", booster, Booster, "perturbation_equations")
-    U = booster.flight.U
-    aero = booster.flight.q_D * booster.S
-    inertia = dict(zip(ROWS, (booster.M, booster.I_y, *(mode.mass for mode in booster.modes)), strict=True))
-    phi = [lambda x, m=mode: m.deflection(x) for mode in booster.modes]
-    sigma = [lambda x, m=mode: m.slope(x) for mode in booster.modes]
-    # How a downward force at station x enters each equation, and how each motion moves the air there.
-    lever: dict[str, Callable] = {
-        "Z": lambda x: 1.0,
-        "M": lambda x: x - booster.l_CG,
-        "F1": lambda x: -phi[0](x),
-        "F2": lambda x: -phi[1](x),
-    }
-    incidence: dict[str, Callable] = {
-        "alpha": lambda x: 1.0,
-        "thetadot": lambda x: (x - booster.l_CG) / U,
-        "q1dot": lambda x: -phi[0](x) / U,
-        "q1": sigma[0],
-        "q2dot": lambda x: -phi[1](x) / U,
-        "q2": sigma[1],
-    }
-
-    def aerodynamic(row: str, column: str) -> float:
-        return (
-            aero
-            / inertia[row]
-            * sum(s.C_Nalpha * lever[row](s.station) * incidence[column](s.station) for s in booster.surfaces)
-        )
-
-    c = {f"{row}_{column}": aerodynamic(row, column) for row in ROWS for column in incidence}
-    G = booster.thrust_station
-    thrust = {row: booster.T / inertia[row] for row in ROWS}
-    for i, mode in enumerate(booster.modes, start=1):
-        for row in ROWS:
-            c[f"{row}_q{i}"] += thrust[row] * lever[row](G) * mode.slope(G)
-        c[f"M_q{i}"] += thrust["M"] * mode.deflection(G)
-        c[f"F{i}_q{i}dot"] += 2 * mode.zeta * mode.omega
-        c[f"F{i}_q{i}"] += mode.omega**2
-    c |= {f"{row}_delta": -thrust[row] * lever[row](G) for row in ROWS}
     return PerturbationEquations(
-        coefficients=c,
-        U=U,
-        jet={row: 1 / inertia[row] for row in ROWS},
+        coefficients=eq_29.coefficients(booster),
+        U=booster.flight.U,
+        jet=dict(
+            zip(eq_29.row_names(len(booster.modes)), (1 / eq_29.inertias(booster)).tolist(), strict=True)
+        ),
         l_CG=booster.l_CG,
         modes=booster.modes,
         source=booster.name,
+        gravity=booster.flight.weight_across if gravity else 0.0,
     )
 
 
-def printed_equations() -> PerturbationEquations:
+def printed_coefficients() -> dict[str, str]:
+    """Return the coefficients of Eq. 29 as the report prints them, each where it has most figures."""
+    ids = {f"eq{number}-{name}": name for number in (38, 59) for name in COEFFICIENTS}
+    rows = [row for section in ("III", "IV") for row in printed_rows(section) if row["id"] in ids]
+    rows.sort(key=lambda row: half_unit(row["printed"]), reverse=True)
+    found = {ids[row["id"]]: row["printed"] for row in rows}
+    return {name: found[name] for name in COEFFICIENTS}
+
+
+def printed_equations(gravity: bool = False) -> PerturbationEquations:
     """Return the equations with the numbers that the report prints [Eq. 38, or Eq. 59 where 38 is lost].
+
+    Parameters
+    ----------
+    gravity : bool
+        Keep Eq. 1's weight across the path, M g theta sin gamma_0, which Eq. 29 leaves out.
 
     Returns
     -------
     PerturbationEquations
         The rounded coefficients, the jet's as in Eq. 125; the mode shapes are those of `swaim_booster`.
     """
-    data = constants("equations_as_printed")
     booster = swaim_booster()
+    numbers = {name: float(text) for name, text in printed_coefficients().items()}
+    numbers["Z_thetadot"] += booster.flight.U  # Eq. 38 prints Z_thetadot - U
     return PerturbationEquations(
-        coefficients={name: data[name] for name in COEFFICIENTS},
+        coefficients=numbers,
         U=booster.flight.U,
-        jet={row: data[f"jet_{row}"] for row in ROWS},
+        jet={row: abs(value) for row, value in printed("VII", "eq125-").items()},
         l_CG=booster.l_CG,
         modes=booster.modes,
         source="the report's Eq. 38",
+        gravity=booster.flight.weight_across if gravity else 0.0,
     )
+
+
+def with_reading(eqs: PerturbationEquations, station: float, phi: Sequence[float]) -> PerturbationEquations:
+    """Return the equations with all modes bent to pass through given deflections at one more station.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    station : float
+        In ft.
+    phi : sequence of float
+        Deflection of each mode there.
+
+    Returns
+    -------
+    PerturbationEquations
+    """
+    pairs = zip(eqs.modes, phi, strict=True)
+    return replace(eqs, modes=tuple(mode.through(station, value) for mode, value in pairs))

@@ -14,7 +14,7 @@ book gives the figures.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import overload
+from typing import Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +22,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from rlswaim.source import checks
 from rlswaim.source.quantity import quantity
+from rlswaim.vehicle.stations import LENGTH, as_station, as_stations, increasing_stations
 
 
 def _beam_stiffness(x: NDArray) -> NDArray:
@@ -58,7 +59,7 @@ def least_bending_shape(
     CubicHermiteSpline
         The curve on 0..420 ft.
     """
-    x = np.unique([0.0, checks.LENGTH, *deflections, *slopes])
+    x = np.unique([0.0, LENGTH, *deflections, *slopes])
     known = np.concatenate(
         [2 * np.searchsorted(x, list(deflections)), 2 * np.searchsorted(x, list(slopes)) + 1]
     ).astype(int)
@@ -95,8 +96,8 @@ class BendingMode:
     def __post_init__(self) -> None:
         """Check and freeze the data."""
         where = f"BendingMode {self.name}"
-        x = checks.increasing("stations", self.stations, where)
-        at = checks.increasing("slope_stations", self.slope_stations, where)
+        x = increasing_stations("stations", self.stations, where)
+        at = increasing_stations("slope_stations", self.slope_stations, where)
         for what, value in {
             "stations": x,
             "deflections": checks.frozen_array("deflections", self.deflections, where, x.shape),
@@ -132,6 +133,24 @@ class BendingMode:
         """Return sigma = -d phi/d l (1/ft) at a station or more; ValueError outside 0..420 ft [Eq. 19]."""
         return -self._along(station, 1)
 
+    def through(self, station: float, value: float) -> Self:
+        """Return the mode bent to pass through one more deflection.
+
+        Parameters
+        ----------
+        station : float
+            In ft, away from the stations of the mode's own deflections.
+        value : float
+            Deflection there.
+
+        Returns
+        -------
+        BendingMode
+        """
+        at = int(np.searchsorted(self.stations, station))
+        stations = np.insert(self.stations, at, station)
+        return replace(self, stations=stations, deflections=np.insert(self.deflections, at, value))
+
     def withheld_slopes(self, all_at_once: bool = False) -> NDArray:
         """Return sigma (1/ft) at the printed slope stations when the shape has not been told of it there.
 
@@ -145,27 +164,51 @@ class BendingMode:
 
     def _along(self, station: ArrayLike, derivative: int) -> NDArray | float:
         if np.ndim(station) == 0:
-            return float(self.shape(checks.station("station", station, self.name), derivative))
-        return self.shape(checks.stations("station", station, self.name), derivative)
+            return float(self.shape(as_station("station", station, self.name), derivative))
+        return self.shape(as_stations("station", station, self.name), derivative)
 
 
 def generalized_mass(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return sum of masses (slug) by first by second shape: generalized mass if alike, 0 if orthogonal."""
+    """Return the sum of mass times two shapes (slug): the generalized mass of one, 0 if two are orthogonal.
+
+    Parameters
+    ----------
+    masses, first, second : ndarray, shape (n,)
+        Masses (slug), and the deflection of both shapes there.
+    """
     return float(np.sum(masses * first * second))
 
 
 def translation_product(masses: NDArray, phi: NDArray) -> float:
-    """Return sum of masses by phi (slug): zero for a mode orthogonal to rigid translation [Section II]."""
+    """Return the sum of mass times deflection (slug): 0 if orthogonal to translation [Section II].
+
+    Parameters
+    ----------
+    masses, phi : ndarray, shape (n,)
+        Masses (slug), and the mode's deflection there.
+    """
     return float(np.sum(masses * phi))
 
 
 def rotation_product(masses: NDArray, phi: NDArray, arms: NDArray) -> float:
-    """Return sum of masses (slug) by phi by arms l_CG - l (ft): zero for a mode orthogonal to rotation."""
+    """Return the sum of mass times deflection times arm (slug ft): 0 if orthogonal to rotation.
+
+    Parameters
+    ----------
+    masses, phi, arms : ndarray, shape (n,)
+        Masses (slug), the mode's deflection there, and the arms l_CG - l (ft).
+    """
     return float(np.sum(masses * phi * arms))
 
 
 def mass_cosine(masses: NDArray, first: NDArray, second: NDArray) -> float:
-    """Return the cosine of a first and a second shape, masses as weights: 0 if orthogonal, 1 if alike."""
+    """Return the cosine of the angle between two shapes, weighted by mass: 0 if orthogonal, 1 if alike.
+
+    Parameters
+    ----------
+    masses, first, second : ndarray, shape (n,)
+        As in `generalized_mass`.
+    """
     product, one, other = (
         generalized_mass(masses, a, b) for a, b in ((first, second), (first, first), (second, second))
     )

@@ -41,12 +41,26 @@ def density(h: ArrayLike) -> NDArray:
 
 
 def dynamic_pressure(h: ArrayLike, U: ArrayLike) -> NDArray:
-    """Return q_D = rho U^2 / 2 (lb/ft^2) at altitudes h (ft) and speeds U (ft/s)."""
+    """Return the dynamic pressure q_D = rho U^2 / 2 (lb/ft^2) in the standard atmosphere.
+
+    Parameters
+    ----------
+    h, U : array_like
+        Altitudes (ft) and speeds (ft/s).
+    """
     return density(h) * np.asarray(U) ** 2 / 2
 
 
 def speed_for(q_D: float, h: float) -> float:
-    """Return the speed (ft/s) that gives the dynamic pressure q_D (lb/ft^2) at altitude h (ft)."""
+    """Return the speed (ft/s) that gives a dynamic pressure in the standard atmosphere.
+
+    Parameters
+    ----------
+    q_D : float
+        Dynamic pressure (lb/ft^2).
+    h : float
+        Altitude (ft).
+    """
     return float(np.sqrt(2 * q_D / density(h))[0])
 
 
@@ -82,32 +96,81 @@ class Ascent:
         return self.M_0 - self.m_p * self.times(t)
 
     def acceleration(self, t: ArrayLike, sine: ArrayLike) -> NDArray:
-        """Return a_0 = T/M - g sin gamma_0 (ft/s^2) at t (s) for a sine of the path [Eq. 30]."""
+        """Return the acceleration along the path, a_0 = T/M - g sin gamma_0 (ft/s^2) [Eq. 30].
+
+        Parameters
+        ----------
+        t : array_like
+            Times (s).
+        sine : array_like
+            Sine of the path's angle, sin gamma_0.
+        """
         return self.T / self.mass(t) - self.g * np.asarray(sine)
 
     def speed(self, t: ArrayLike, mean_sine: ArrayLike) -> NDArray:
-        """Return U (ft/s) at t (s) with mean_sine of gamma_0: the integral of a_0 [Eqs. 31, 32]."""
+        """Return the speed U (ft/s), the integral of a_0 [Eqs. 31, 32].
+
+        Parameters
+        ----------
+        t : array_like
+            Times (s).
+        mean_sine : array_like
+            Mean of sin gamma_0 up to then [Eq. 33].
+        """
         s = np.asarray(mean_sine)
         return self.T / self.m_p * np.log(self.M_0 / self.mass(t)) - self.g * self.times(t) * s
 
     def altitude(self, t: ArrayLike, mean_sine: ArrayLike) -> NDArray:
-        """Return h (ft) at t (s), mean_sine taken out of the integrals [Eq. 37]."""
+        """Return the altitude h (ft), with the mean sine taken out of the integrals [Eq. 37].
+
+        Parameters
+        ----------
+        t : array_like
+            Times (s).
+        mean_sine : array_like
+            Mean of sin gamma_0 up to then [Eq. 33].
+        """
         t, s, burn = self.times(t), np.asarray(mean_sine), self.M_0 / self.m_p
         log = np.log(self.M_0 / self.mass(t))
         return self.T * s / self.m_p * ((1 + log) * t - burn * log) - self.g * t**2 * s**2 / 2
 
     def altitude_before_collecting(self, t: ArrayLike, mean_sine: ArrayLike) -> NDArray:
-        """Return h (ft) as first integrated in t and mean_sine; the same as `altitude` [Eqs. 35, 36]."""
+        """Return the altitude h (ft) as first integrated; it is the same as `altitude` [Eqs. 35, 36].
+
+        Parameters
+        ----------
+        t : array_like
+            Times (s).
+        mean_sine : array_like
+            Mean of sin gamma_0 up to then [Eq. 33].
+        """
         t, s, burn = self.times(t), np.asarray(mean_sine), self.M_0 / self.m_p
         logs = t * np.log(self.M_0) + (burn - t) * (np.log(self.mass(t)) - 1) - burn * (np.log(self.M_0) - 1)
         return self.T * s / self.m_p * logs - self.g * t**2 * s**2 / 2
 
     def mean_sine_for_speed(self, t: float, U: float) -> float:
-        """Return the mean sin gamma_0 with which Eq. 32 gives the speed U (ft/s) at time t."""
+        """Return the mean of sin gamma_0 with which Eq. 32 gives a speed.
+
+        Parameters
+        ----------
+        t, U : float
+            Time (s) and speed then (ft/s).
+        """
         return float((self.speed(t, 0.0) - U) / (self.g * t))
 
     def mean_sine_for_altitude(self, t: float, h: float) -> float:
-        """Return the mean sin gamma_0 for which Eq. 37 gives h (ft) at t (s); ValueError if none."""
+        """Return the mean of sin gamma_0 for which Eq. 37 gives an altitude.
+
+        Parameters
+        ----------
+        t, h : float
+            Time (s) and altitude then (ft).
+
+        Raises
+        ------
+        ValueError
+            If no mean from 0 to 1 gives it.
+        """
         if not 0 <= h <= self.altitude(t, 1.0):
             raise ValueError(f"h: got {h:g} ft, wanted 0 to {self.altitude(t, 1.0):g} ft at t = {t:g} s")
         return float(brentq(lambda s: float(self.altitude(t, s)) - h, 0.0, 1.0))
@@ -125,7 +188,12 @@ def level_at_burnout(ascent: Ascent) -> PitchProgram:
 
 
 def turn(upright: float, level: float) -> PitchProgram:
-    """Return gamma_0 of a flight upright until ``upright`` (s), then turned evenly to level at ``level`` (s).
+    """Return the program of a flight that is vertical at first and is then turned evenly to level.
+
+    Parameters
+    ----------
+    upright, level : float
+        When the turn begins and when the flight is level (s).
 
     Raises
     ------
@@ -138,7 +206,15 @@ def turn(upright: float, level: float) -> PitchProgram:
 
 
 def mean_sine(gamma_0: PitchProgram, t: float) -> float:
-    """Return the mean of sin gamma_0 from launch to time t (s) [Eq. 33]."""
+    """Return the mean of sin gamma_0 from launch to a time [Eq. 33].
+
+    Parameters
+    ----------
+    gamma_0 : callable
+        Pitch program: flight path angle (rad) at time (s).
+    t : float
+        Time (s).
+    """
     return float(quad(lambda tau: np.sin(gamma_0(tau)), 0, t)[0] / t) if t else float(np.sin(gamma_0(0.0)))
 
 
@@ -191,7 +267,13 @@ def fly(ascent: Ascent, gamma_0: PitchProgram, times: ArrayLike) -> Trajectory:
 
 
 def closed_form(ascent: Ascent, gamma_0: PitchProgram, times: ArrayLike) -> Trajectory:
-    """Return the ascent by Eqs. 32 and 37, gamma_0 as in Eq. 33, at times; parameters as in `fly`."""
+    """Return the ascent by Eqs. 32 and 37, with the mean of sin gamma_0 as in Eq. 33.
+
+    Parameters
+    ----------
+    ascent, gamma_0, times
+        As in `fly`.
+    """
     run = ascent.times(times)
     sines = np.array([mean_sine(gamma_0, float(t)) for t in run])
     return Trajectory(run, ascent.speed(run, sines), ascent.altitude(run, sines))

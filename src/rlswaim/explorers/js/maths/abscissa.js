@@ -1,6 +1,6 @@
 // The largest real part of the roots of Section VII's polynomial over sensor and jet stations, from the table of terms
 // that Python sends.
-import { refine, roots } from './roots.js';
+import { aberth, roots } from './aberth.js';
 
 export const STATIONS = 421;
 export const STEPS = [28, 14, 7, 3, 1];
@@ -117,7 +117,7 @@ export function* rows(plan, steps = STEPS) {
 function cell(c, x, y, warm) {
   if (warm) {
     for (let i = 0; i < 9; i++) y[i] += (i % 2 ? 1e-7 : -1.3e-7) * (Math.abs(x[i]) + 1e-6);
-    refine(c, 9, x, y, 1e-5);
+    aberth(c, 9, x, y, 1e-5);
     let sum = c[8];
     let size = Math.abs(c[8]);
     for (let i = 0; i < 9; i++) {

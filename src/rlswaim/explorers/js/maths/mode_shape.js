@@ -1,6 +1,6 @@
 // The closed-loop motion at one pole, along the vehicle, from the numerators that Python sends.
-import { factorsOf, polynomial } from './locus.js';
-import { evaluate } from './roots.js';
+import { evaluate } from './polynomials.js';
+import { factorsOf, polynomial } from './terms.js';
 
 const size = ([re, im]) => Math.hypot(re, im);
 const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];

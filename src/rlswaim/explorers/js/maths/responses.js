@@ -1,6 +1,7 @@
 // Responses in time from partial fractions of the numerators that Python sends: nothing here knows any physics.
-import { closedLoopPoles, factorsOf, polynomial } from './locus.js';
-import { evaluate } from './roots.js';
+import { closedLoopPoles } from './closed_loop.js';
+import { evaluate } from './polynomials.js';
+import { factorsOf, polynomial } from './terms.js';
 
 // (e^z - 1)/z, right at and near z = 0 too.
 function growth(x, y) {

@@ -1,18 +1,26 @@
-// The state of each explorer of a page in the page's address: #rate-attitude:K_A=1.8,K_C=10&single-sensor:K_z=2
+// The state of each explorer of a page in the page's address:
+// #rate-attitude:K_A=1.8,K_C=10&single-sensor:K_z=2
+
+/** @typedef {Record<string, unknown>} Values */
 
 const PART = /^([\w-]+(?:\.\d+)?):(.*)$/;
 
+/**
+ * The parts of an address by the names of their explorers.
+ * @param {string} hash
+ * @returns {Map<string, string>}
+ */
 function partsOf(hash) {
+  const parts = hash.replace(/^#/, '').split('&');
   return new Map(
-    hash
-      .replace(/^#/, '')
-      .split('&')
-      .map((part) => PART.exec(part)?.slice(1))
-      .filter(Boolean),
+    parts.flatMap((part) => {
+      const [, name, values] = PART.exec(part) ?? [];
+      return name ? [[name, values]] : [];
+    }),
   );
 }
 
-// A text that came from elsewhere may be broken: then it says nothing.
+/** A text that came from elsewhere may be broken: then it says nothing. @param {string} text */
 function decoded(text) {
   try {
     return decodeURIComponent(text);
@@ -21,18 +29,25 @@ function decoded(text) {
   }
 }
 
-// JupyterLab's address is its own.
+/** JupyterLab's address is its own. */
 export const inLab = () => document.body.dataset.jpThemeLight !== undefined;
 
-// A page may show a system twice: the second is told apart by a number, unless it has a name of its own.
+/**
+ * A page may show a system twice: the second is told apart by a number, unless it has a name of its own.
+ * @param {HTMLElement} el
+ */
 export function nameOf(el) {
   const { name, explorer } = el.dataset;
-  const twins = [...document.querySelectorAll(`[data-explorer="${explorer}"]`)];
-  const at = twins.indexOf(el);
+  const twins = document.querySelectorAll(`[data-explorer="${explorer}"]`);
+  const at = [...twins].indexOf(el);
   return name ?? (at > 0 ? `${explorer}.${at + 1}` : explorer);
 }
 
-// The explorer's own part of the address, as texts by name.
+/**
+ * The explorer's own part of the address, as texts by name.
+ * @param {string} name
+ * @returns {Record<string, string>}
+ */
 export function readAddress(name, hash = inLab() ? '' : location.hash) {
   const own = partsOf(hash).get(name);
   if (!own) return {};
@@ -44,11 +59,14 @@ export function readAddress(name, hash = inLab() ? '' : location.hash) {
   );
 }
 
-// The page's address with the explorer's part replaced, or left out if there is nothing to say.
+/**
+ * The page's address with the explorer's part replaced, or left out if there is nothing to say.
+ * @param {string} name @param {Values} values
+ */
 export function addressWith(name, values, hash = location.hash) {
   const all = partsOf(hash);
   const own = Object.entries(values)
-    .map(([key, value]) => `${key}=${encodeURIComponent(value)}`)
+    .map(([key, value]) => `${key}=${encodeURIComponent(String(value))}`)
     .join(',');
   if (own) all.set(name, own);
   else all.delete(name);
@@ -56,6 +74,7 @@ export function addressWith(name, values, hash = location.hash) {
   return joined ? `#${joined}` : '';
 }
 
+/** @param {string} name @param {Values} values */
 export function writeAddress(name, values) {
   if (inLab()) return;
   const hash = addressWith(name, values);

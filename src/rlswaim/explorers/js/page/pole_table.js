@@ -1,28 +1,29 @@
-// The closed-loop poles as text: the table of the page, and the same as CSV.
-import { digits, element, set } from './dom.js';
-import { SIGNS } from '../drawing/s_plane.js';
+// Poles as text: the table of the page, and the same as CSV.
+import { element, headRow, set } from './elements.js';
+import { digits } from './numbers.js';
 
-const HEADS = ['leaves from', 'real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'];
+/** @import { Pole, Theme } from '../types.d.ts' */
 
+const HEADS = ['real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'];
+
+/** @param {number} re */
 const stability = (re) => (re > 0 ? 'unstable' : re < 0 ? 'stable' : 'neutrally stable');
 
-// A cell with eight digits, of which the last three are set back: enough to compare, easy to read.
+/** A cell with eight digits, of which the last three are set back: enough to compare, easy to read. */
 class Figure {
   constructor() {
     this.parts = [new Text(), new Text(), new Text()];
-    this.cell = element(
-      'td',
-      {},
-      this.parts[0],
-      element('span', { class: 'fine' }, this.parts[1]),
-      this.parts[2],
-    );
+    const [first, fine, power] = this.parts;
+    this.cell = element('td', {}, first, element('span', { class: 'fine' }, fine), power);
+    /** @type {number} */
+    this.value = undefined;
   }
 
+  /** @param {number} value */
   show(value) {
     if (value === this.value) return;
     this.value = value;
-    const text = Number.isNaN(value) ? '–' : digits(value, 8);
+    const text = digits(value, 8);
     const end = text.includes('e') ? text.indexOf('e') : text.length;
     const kept = end > 3 ? end - 3 : end;
     [text.slice(0, kept), text.slice(kept, end), text.slice(end)].forEach((part, k) => {
@@ -31,57 +32,66 @@ class Figure {
   }
 }
 
-export class PoleTable {
+class Row {
   constructor() {
-    const head = element('tr', {}, ...HEADS.map((text) => element('th', { scope: 'col' }, text)));
+    this.sign = element('span', { 'aria-hidden': 'true' });
+    this.name = new Text();
+    this.figures = Array.from({ length: 4 }, () => new Figure());
+    this.word = element('td');
+    const cells = this.figures.map(({ cell }) => cell);
+    const head = element('th', { scope: 'row' }, this.sign, ' ', this.name);
+    this.node = element('tr', {}, head, ...cells, this.word);
+    this.color = '';
+    /** @type {Pole} */
+    this.pole = { re: NaN, im: NaN, name: '' };
+  }
+
+  /** @param {Pole} pole @param {Theme} theme */
+  show({ re, im, name }, theme) {
+    const color = theme.color(name);
+    if (this.color !== color) {
+      this.color = color;
+      this.sign.style.color = color;
+    }
+    set(this.sign, theme.sign(name));
+    if (this.name.data !== name) this.name.data = name;
+    if (this.pole.re === re && this.pole.im === im) return;
+    this.pole = { re, im, name };
+    Object.assign(this.node.dataset, { re, im, branch: name });
+    const size = Math.hypot(re, im);
+    [re, im, size, -re / size].forEach((value, k) => {
+      this.figures[k].show(value);
+    });
+    set(this.word, stability(re));
+    const kind = re > 0 ? 'unstable' : 'stable';
+    if (this.word.className !== kind) this.word.className = kind;
+  }
+}
+
+export class PoleTable {
+  /** @param {Element} caption @param {string} head of the first column */
+  constructor(caption, head) {
     this.body = element('tbody');
+    /** @type {Row[]} */
     this.rows = [];
-    this.node = element(
-      'table',
-      { class: 'poles' },
-      element('caption', { class: 'unseen' }, 'Closed-loop poles'),
-      element('thead', {}, head),
-      this.body,
-    );
+    this.node = element('table', { class: 'poles' }, caption, headRow([head, ...HEADS]), this.body);
   }
 
-  #newRow() {
-    const sign = element('span', { 'aria-hidden': 'true' });
-    const name = new Text();
-    const figures = Array.from({ length: 4 }, () => new Figure());
-    const word = element('td');
-    const node = element(
-      'tr',
-      {},
-      element('th', { scope: 'row' }, sign, ' ', name),
-      ...figures.map((f) => f.cell),
-      word,
-    );
-    this.body.append(node);
-    this.rows.push({ node, sign, name, figures, word });
-  }
-
+  /** @param {Pole[]} poles @param {Theme} theme */
   show(poles, theme) {
-    while (this.rows.length < poles.length) this.#newRow();
+    while (this.rows.length < poles.length) {
+      const row = new Row();
+      this.body.append(row.node);
+      this.rows.push(row);
+    }
     while (this.rows.length > poles.length) this.rows.pop().node.remove();
-    poles.forEach(({ re, im, name }, i) => {
-      const row = this.rows[i];
-      const { color, mark } = theme.branch(name);
-      if (row.color !== color) row.sign.style.color = row.color = color;
-      set(row.sign, SIGNS[mark]);
-      if (row.name.data !== name) row.name.data = name;
-      if (row.re === re && row.im === im) return;
-      [row.re, row.im] = [re, im];
-      Object.assign(row.node.dataset, { re, im, branch: name });
-      const size = Math.hypot(re, im);
-      [re, im, size, -re / size].forEach((value, k) => row.figures[k].show(value));
-      set(row.word, stability(re));
-      const kind = re > 0 ? 'unstable' : 'stable';
-      if (row.word.className !== kind) row.word.className = kind;
+    poles.forEach((pole, i) => {
+      this.rows[i].show(pole, theme);
     });
   }
 }
 
+/** @param {Pole[]} poles */
 export function polesAsText(poles) {
   const rows = poles.map(({ re, im, name }) => {
     const size = Math.hypot(re, im);

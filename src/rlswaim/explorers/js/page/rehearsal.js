@@ -1,21 +1,27 @@
-// Draws what nobody asked for while the page rests: the first moves of a hand then find the code compiled. Once a page.
+// A browser compiles a script while it runs. These drawings, which nobody sees, run while the page rests
+// before a hand first moves a slider, so that its first moves are as fast as later ones. Once a page.
+import { whileResting } from './slices.js';
+
+/** @import { System, Values } from '../types.d.ts' */
+
 const ROUNDS = 150;
-const SPARE = 3; // ms of rest that a round wants
 
 let begun = false;
 
-// draw: takes a state. Each round changes one of the gains by a little.
-export function practise({ running }, state, draw) {
-  if (begun) return;
-  begun = true;
+/**
+ * Draws with one of the gains changed a little, in turn.
+ * @param {System} system @param {Values} values @param {(values: Values) => void} draw
+ */
+function* rounds({ running }, values, draw) {
   const gains = Object.keys(running).filter((name) => running[name].magnitudes);
-  let left = ROUNDS;
-  const go = (rest) => {
-    for (; left > 0 && rest.timeRemaining() > SPARE; left--) {
-      const name = gains[left % gains.length];
-      draw({ ...state, [name]: state[name] * (1 + 1e-3 * left) });
-    }
-    if (left > 0) requestIdleCallback(go);
-  };
-  globalThis.requestIdleCallback?.(go);
+  for (let k = ROUNDS; k > 0; k--) {
+    const name = gains[k % gains.length];
+    yield draw({ ...values, [name]: values[name] * (1 + 1e-3 * k) });
+  }
+}
+
+/** @param {System} system @param {Values} values @param {(values: Values) => void} draw */
+export function rehearse(system, values, draw) {
+  if (!begun) whileResting(rounds(system, values, draw));
+  begun = true;
 }

@@ -1,14 +1,18 @@
 // Each parameter and the place of its slider keep each other: a slider that moves sets the value, a value set
 // otherwise moves the slider to the nearest place and stays as it is.
-function nearest(parameter, value) {
-  const off = parameter.grid.map((place) =>
+/** @import { Context, Parameter } from '../types.d.ts' */
+
+/** @param {Parameter} parameter @param {any} value */
+function nearest({ grid }, value) {
+  const off = grid.map((place) =>
     typeof place === 'string' ? Number(place !== value) : Math.abs(place - value),
   );
   return off.indexOf(Math.min(...off));
 }
 
+/** @param {Context} context */
 export function initialize({ model }) {
-  for (const parameter of model.get('payload').parameters) {
+  for (const parameter of model.get('payload').parameters ?? []) {
     const { name, grid } = parameter;
     const place = `${name}_at`;
     model.on(`change:${name}`, () => {

@@ -1,7 +1,9 @@
 // What a reader takes away: a picture, the poles, a link, the call of the library.
-import { plain } from './dom.js';
 import { SvgContext } from '../drawing/svg.js';
 
+/** @import { Graphics, Values } from '../types.d.ts' */
+
+/** @param {string} name @param {string} type @param {string} text */
 export function download(name, type, text) {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const link = Object.assign(document.createElement('a'), { href: address, download: name });
@@ -11,30 +13,37 @@ export function download(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-// draw: takes the context.
+/**
+ * @param {number} width @param {number} height @param {string} title @param {string} ground
+ * @param {(g: Graphics) => void} draw
+ */
 export function svgOf(width, height, title, ground, draw) {
   const g = new SvgContext(width, height);
   draw(g);
   return g.document(title, ground);
 }
 
+/** Returns whether there is a clipboard and the permission to use it. @param {string} text */
 export async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    return false; // no permission, or no clipboard here
+    return false;
   }
 }
 
-const quoted = (value) => (typeof value === 'string' ? JSON.stringify(value) : plain(value));
-
-// The call that gives the same closed loop.
-export function pythonOf({ python }, state) {
+/**
+ * The call that gives the same closed loop.
+ * @param {import('../types.d.ts').System} system
+ * @param {Values} values
+ */
+export function pythonOf({ python }, values) {
+  /** @param {string} name */
   const none = (name) =>
-    Object.entries(python.none?.[name] ?? {}).some(([other, value]) => state[other] === value);
+    Object.entries(python.none?.[name] ?? {}).some(([other, value]) => values[other] === value);
   const given = Object.entries(python.arguments).map(
-    ([name, keyword]) => `${keyword}=${none(name) ? 'None' : quoted(state[name])}`,
+    ([name, keyword]) => `${keyword}=${none(name) ? 'None' : JSON.stringify(values[name])}`,
   );
   return [
     'import rlswaim as rl',

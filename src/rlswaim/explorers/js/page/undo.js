@@ -1,54 +1,89 @@
-// Undo and redo over snapshots of the state. A drag, however long the hand rests in it, or a run of quick changes is one step.
-import { button } from './dom.js';
+// Undo and redo over snapshots of a state. A drag is one step, however long the hand rests in it, and so is a
+// run of quick changes.
+import { button } from './elements.js';
 
 const QUIET = 400; // ms
 
 let held = false; // is a button or a finger down?
-for (const [event, now] of [
+/** @type {[string, boolean][]} */
+const HOLDS = [
   ['pointerdown', true],
   ['pointerup', false],
   ['pointercancel', false],
-]) {
-  addEventListener(event, () => (held = now), { capture: true, passive: true });
+];
+for (const [event, now] of HOLDS) {
+  addEventListener(
+    event,
+    () => {
+      held = now;
+    },
+    { capture: true, passive: true },
+  );
 }
 
-export class History {
-  constructor(read, write, changed) {
-    Object.assign(this, { read, write, changed, past: [], future: [] });
-    this.present = read();
+export class UndoHistory {
+  /** @param {{ snapshot(): string, restore(snapshot: string): void }} state */
+  constructor(state) {
+    this.state = state;
+    this.timer = 0;
+    this.present = '';
+    this.undoButton = button('↶', () => this.undo(), { 'aria-label': 'undo', title: 'undo (Ctrl+Z)' });
+    this.redoButton = button('↷', () => this.redo(), { 'aria-label': 'redo', title: 'redo (Ctrl+Shift+Z)' });
+    this.begin();
   }
 
-  // Something changed: a step ends when nothing more changes for a while.
+  get buttons() {
+    return [this.undoButton, this.redoButton];
+  }
+
+  /** From the present state on. */
+  begin() {
+    this.present = this.state.snapshot();
+    /** @type {string[]} */
+    this.past = [];
+    /** @type {string[]} */
+    this.future = [];
+    this.#tell();
+  }
+
+  /** Something changed: a step ends when nothing more changes for a while. */
   note() {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => (held ? this.note() : this.settle()), QUIET);
+    this.timer = window.setTimeout(() => (held ? this.note() : this.settle()), QUIET);
   }
 
   settle() {
     clearTimeout(this.timer);
-    const now = this.read();
+    const now = this.state.snapshot();
     if (now === this.present) return;
     this.past.push(this.present);
     this.present = now;
     this.future = [];
-    this.changed();
+    this.#tell();
   }
 
+  /** @param {'past' | 'future'} from @param {'past' | 'future'} to */
   #move(from, to) {
     this.settle();
-    if (from.length === 0) return;
-    to.push(this.present);
-    this.present = from.pop();
-    this.write(this.present);
-    this.changed();
+    if (this[from].length === 0) return;
+    this[to].push(this.present);
+    this.present = this[from].pop();
+    this.state.restore(this.present);
+    this.#tell();
   }
 
   undo() {
-    this.#move(this.past, this.future);
+    this.#move('past', 'future');
   }
 
   redo() {
-    this.#move(this.future, this.past);
+    this.#move('future', 'past');
+  }
+
+  /** The buttons tell whether there is a step to go. */
+  #tell() {
+    this.undoButton.disabled = this.past.length === 0;
+    this.redoButton.disabled = this.future.length === 0;
   }
 
   stop() {
@@ -56,32 +91,23 @@ export class History {
   }
 }
 
-// Ctrl+Z anywhere in a view or on its sliders, but not in a field that has an undo of its own.
+/** Ctrl+Z anywhere in a view or on its sliders, but not in a field that has an undo of its own.
+ * @param {KeyboardEvent} event @param {Element} el @param {UndoHistory} history
+ */
 function undone(event, el, history) {
   if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
   const room = el.closest('.side, .widget-vbox') ?? el;
-  if (!room.contains(event.target) || event.target.matches('input:not([type=range]), textarea')) return;
+  const target = /** @type {Element} */ (event.target);
+  if (!room.contains(target) || target.matches('input:not([type=range]), textarea')) return;
   event.preventDefault();
   if (event.shiftKey) history.redo();
   else history.undo();
 }
 
-// Returns what stops listening.
+/** Returns what stops listening. @param {Element} el @param {UndoHistory} history */
 export function onUndoKeys(el, history) {
+  /** @param {KeyboardEvent} event */
   const keys = (event) => undone(event, el, history);
   document.addEventListener('keydown', keys);
   return () => document.removeEventListener('keydown', keys);
-}
-
-// Buttons for both, and what tells them how far they can go.
-export function undoButtons(history) {
-  const [undo, redo] = [
-    button('↶', () => history.undo(), { 'aria-label': 'undo', title: 'undo (Ctrl+Z)' }),
-    button('↷', () => history.redo(), { 'aria-label': 'redo', title: 'redo (Ctrl+Shift+Z)' }),
-  ];
-  const tell = () => {
-    undo.disabled = history.past.length === 0;
-    redo.disabled = history.future.length === 0;
-  };
-  return { undo, redo, tell };
 }

@@ -1,182 +1,164 @@
-// The ascent: straight lines between flights that Python has integrated.
-import { element, set } from '../page/dom.js';
-import { Table, legend, mount, number, plane, signed } from '../page/live_view.js';
-import { Plot } from '../drawing/plot.js';
-import { initialize } from '../page/sliders.js';
+// The ascent for other pitch programs: dynamic pressure, altitude and speed against time, beside the printed
+// values.
+import { contextOf } from '../drawing/context.js';
+import { label, line, mark } from '../drawing/marks.js';
+import { Plane } from '../drawing/plane.js';
+import { frameOf, viewOf } from '../drawing/view.js';
+import { flight } from '../maths/flights.js';
+import { element, legend, picture, set } from '../page/elements.js';
+import { number, signed } from '../page/numbers.js';
+import { ValueTable } from '../page/value_table.js';
+import { simple } from './simple_view.js';
 
-const PANELS = {
+/** @import { Theme, Values } from '../types.d.ts' */
+/** @import { Layer } from '../drawing/plane.js' */
+/** @import { Lifecycle } from '../page/lifecycle.js' */
+/** @typedef {ReturnType<typeof flight>} Flight */
+
+/** @type {Record<string, string[]>} */
+const QUANTITIES = {
   q_D: ['dynamic pressure q', 'D', 'lb/ft²'],
   h: ['altitude h', '', 'ft'],
   U: ['speed U', '', 'ft/s'],
 };
+const DOTTED = [2, 4];
 
-// Neighbors in a list of nodes, and their shares.
-function shares(nodes, value) {
-  const last = nodes.length - 2;
-  const at = Math.max(
-    0,
-    Math.min(
-      last,
-      nodes.findLastIndex((node) => node <= value),
-    ),
-  );
-  return [at, (value - nodes[at]) / (nodes[at + 1] - nodes[at])];
-}
-
-const mixed = (a, b, share) => a.map((v, k) => v + share * (b[k] - v));
-
-// A table's row for the present program.
-function rowOf(table, { nodes }, state) {
-  const [i, p] = shares(nodes.upright, state.upright);
-  const [k, q] = shares(nodes.level, state.level);
-  return mixed(mixed(table[i][k], table[i][k + 1], q), mixed(table[i + 1][k], table[i + 1][k + 1], q), p);
-}
-
-function at(times, values, t) {
-  const [k, share] = shares(times, t);
-  return values[k] + share * (values[k + 1] - values[k]);
-}
-
-export function flight(payload, state) {
-  const curves = Object.fromEntries(
-    Object.keys(PANELS).map((name) => [name, rowOf(payload.curves[name], payload, state)]),
-  );
-  const there = Object.fromEntries(
-    Object.keys(PANELS).map((name) => [name, at(payload.times, curves[name], payload.printed.t)]),
-  );
-  const [time, size] = rowOf(payload.peak, payload, state);
-  return { curves, there, peak: { time, size } };
-}
-
+/** @param {number[][][]} table */
 const most = (table) => table.flat(2).reduce((a, b) => Math.max(a, b), 0);
 
-function render({ model, el }) {
-  const payload = model.get('payload');
-  const { times, printed, accuracy, initial } = payload;
-  const planes = Object.fromEntries(
-    Object.entries(PANELS).map(([name, [word, index, unit]]) => [
-      name,
-      plane('history', [element('b', {}, word, element('sub', {}, index)), ` (${unit})`]),
-    ]),
-  );
-  const program = plane('history', [element('b', {}, 'pitch program γ', element('sub', {}, '0')), ' (deg)']);
-  const tops = Object.fromEntries(
-    Object.keys(PANELS).map((name) => [name, 1.05 * most(payload.curves[name])]),
-  );
-  const first = flight(payload, initial);
-  const words = element('p', { class: 'verdict' });
-  const table = new Table(`At ${printed.t} s`, ['', 'here', 'in the report', 'off by (%)']);
-  const signs = legend([
-    ['━', 'this program'],
-    ['┄', 'the book’s program'],
-    ['◆', `printed, at ${printed.t} s`],
-    ['▲', 'largest dynamic pressure'],
-  ]);
-  const note = element(
-    'p',
-    {},
-    `Between the ${payload.nodes.upright.length * payload.nodes.level.length} programs that are flown ahead the curves are straight-line means, off by at most ${number(accuracy.U, 2)} ft/s, ${number(accuracy.h, 2)} ft and ${number(accuracy.q_D, 2)} lb/ft².`,
-  );
+/** @param {string} word @param {string} index @param {string} unit */
+const historyOf = (word, index, unit) =>
+  picture('history', {}, element('b', {}, word, element('sub', {}, index)), ` (${unit})`);
 
-  function picture(name, theme, found) {
-    const plot = new Plot(planes[name].canvas, theme, {
-      x: [0, times.at(-1)],
-      y: [0, tops[name]],
-      xLabel: 'time (s)',
-    }).axes();
-    const points = (curve) => curve.map((v, k) => [times[k], v]);
-    plot.line(points(first.curves[name]), theme.neutral, 1.5, [2, 4]);
-    plot.line(points(found.curves[name]), theme.rigid, 2);
-    if (name === 'q_D') {
-      plot.line(
-        [
-          [found.peak.time, 0],
-          [found.peak.time, found.peak.size],
-        ],
-        theme.axis,
-        1,
-        [4, 4],
-      );
-      plot.mark('^', found.peak.time, found.peak.size, theme.corrected);
-      const late = found.peak.time > 60;
-      plot.text(
-        `${number(found.peak.time, 3)} s`,
-        plot.X(found.peak.time) + (late ? -9 : 9),
-        plot.Y(found.peak.size) - 8,
-        theme.ink,
-        late ? 'right' : 'left',
-      );
-    }
-    plot.mark('d', printed.t, printed[name], theme.ink, 4);
-    plot.finish();
-    planes[name].canvas.setAttribute(
-      'aria-label',
-      `${PANELS[name].slice(0, 2).join('')} against time: ${number(found.there[name])} ${PANELS[name][2]} at ${printed.t} s, printed ${number(printed[name])}.`,
+class Ascent {
+  /** @param {any} payload */
+  constructor(payload) {
+    this.payload = payload;
+    this.first = flight(payload, payload.initial);
+    this.words = element('p', { class: 'verdict' });
+    const { t } = payload.printed;
+    this.table = new ValueTable(`At ${t} s`, ['', 'here', 'in the report', 'off by (%)']);
+    this.pictures = Object.entries(QUANTITIES).map(([name, [word, index, unit]]) => ({
+      name,
+      top: 1.05 * most(payload.curves[name]),
+      ...historyOf(word, index, unit),
+    }));
+    this.program = historyOf('pitch program γ', '0', 'deg');
+    this.canvases = [...this.pictures.map(({ canvas }) => canvas), this.program.canvas];
+    const figures = [...this.pictures, this.program].map(({ figure }) => figure);
+    this.nodes = [
+      this.words,
+      element('div', { class: 'planes' }, ...figures),
+      legend([
+        ['━', 'this program'],
+        ['┄', 'the book’s program'],
+        ['◆', `printed, at ${t} s`],
+        ['▲', 'largest dynamic pressure'],
+      ]),
+      element('p', {}, this.#accuracy()),
+      this.table.node,
+    ];
+  }
+
+  #accuracy() {
+    const { nodes, accuracy } = this.payload;
+    const [U, h, q_D] = ['U', 'h', 'q_D'].map((name) => number(accuracy[name], 2));
+    return (
+      `Between the ${nodes.upright.length * nodes.level.length} programs that are flown ahead the curves ` +
+      `are straight-line means, off by at most ${U} ft/s, ${h} ft and ${q_D} lb/ft².`
     );
   }
 
-  function draw(state, theme) {
-    const found = flight(payload, state);
-    for (const name of Object.keys(PANELS)) picture(name, theme, found);
-    const plot = new Plot(program.canvas, theme, {
-      x: [0, times.at(-1)],
-      y: [0, 95],
-      xLabel: 'time (s)',
-    }).axes();
-    for (const [{ upright, level }, color, width, dash] of [
-      [initial, theme.neutral, 1.5, [2, 4]],
-      [state, theme.rigid, 2, []],
-    ]) {
-      plot.line(
-        [
-          [0, 90],
-          [upright, 90],
-          [level, 0],
-          [Math.max(level, times.at(-1)), 0],
-        ],
-        color,
-        width,
-        dash,
-      );
+  /** @param {HTMLCanvasElement} canvas @param {number} top @param {Lifecycle} page @param {Layer[]} layers */
+  #chart(canvas, top, page, layers) {
+    const [width, height] = page.sizeOf(canvas);
+    const view = viewOf([0, this.payload.times.at(-1)], [0, top], frameOf(width, height), width, height);
+    new Plane(contextOf(canvas, width, height), view, page.theme).chart('time (s)', '', layers);
+  }
+
+  /** @param {Theme} theme @param {Flight['peak']} peak @returns {Layer[]} */
+  #peak(theme, { time, size }) {
+    const foot = [
+      [time, 0],
+      [time, size],
+    ];
+    const [dx, align] = time > 60 ? [-9, 'right'] : [9, 'left'];
+    return [
+      line(foot, theme.axis, 1, [4, 4]),
+      mark('▲', time, size, theme.color('corrected')),
+      label(`${number(time, 3)} s`, time, size, dx, -8, theme.ink, align),
+    ];
+  }
+
+  /** @param {Flight} found @param {Lifecycle} page */
+  #drawHistories(found, page) {
+    const { times, printed } = this.payload;
+    const { theme } = page;
+    /** @param {number[]} curve */
+    const points = (curve) => curve.map((v, k) => [times[k], v]);
+    for (const { name, top, canvas } of this.pictures) {
+      this.#chart(canvas, top, page, [
+        line(points(this.first.curves[name]), theme.color('neutral'), 1.5, DOTTED),
+        line(points(found.curves[name]), theme.color('rigid')),
+        ...(name === 'q_D' ? this.#peak(theme, found.peak) : []),
+        mark('◆', printed.t, printed[name], theme.ink, 4),
+      ]);
+      const [word, index, unit] = QUANTITIES[name];
+      const there = `${number(found.there[name])} ${unit} at ${printed.t} s`;
+      canvas.ariaLabel = `${word}${index} against time: ${there}, printed ${number(printed[name])}.`;
     }
-    plot.finish();
-    const told = `Vertical until ${number(state.upright)} s, level at ${number(state.level)} s`;
-    program.canvas.setAttribute('aria-label', `Flight path angle against time: ${told}.`);
-    const rows = Object.entries(PANELS).map(([name, [word, index, unit]]) => ({
-      cells: [
-        `${word}${index} (${unit})`,
-        number(found.there[name]),
-        number(printed[name]),
-        signed(100 * (found.there[name] / printed[name] - 1), 3),
-      ],
-      data: { quantity: name, value: found.there[name] },
-    }));
-    const { time, size } = found.peak;
-    table.show([
-      ...rows,
-      {
-        cells: [
-          'largest qD (lb/ft²)',
-          number(size),
-          number(printed.q_D),
-          signed(100 * (size / printed.q_D - 1), 3),
-        ],
-        data: { quantity: 'peak', value: size, time },
-      },
+  }
+
+  /** @param {Values} values @param {string} told @param {Lifecycle} page */
+  #drawProgram(values, told, page) {
+    const { initial, times } = this.payload;
+    /** @param {Values} program */
+    const points = ({ upright, level }) => [
+      [0, 90],
+      [upright, 90],
+      [level, 0],
+      [Math.max(level, times.at(-1)), 0],
+    ];
+    this.#chart(this.program.canvas, 95, page, [
+      line(points(initial), page.theme.color('neutral'), 1.5, DOTTED),
+      line(points(values), page.theme.color('rigid')),
     ]);
-    const said = `${told}: the largest dynamic pressure, ${number(size)} lb/ft², comes at ${number(time, 3)} s; the report has ${number(printed.q_D)} at ${printed.t} s.`;
-    set(words, said);
+    this.program.canvas.ariaLabel = `Flight path angle against time: ${told}.`;
+  }
+
+  /** @param {Flight} found */
+  #tell({ there, peak }) {
+    const { printed } = this.payload;
+    /** @param {string} name @param {number} value @param {number} wanted */
+    const cells = (name, value, wanted) => [
+      name,
+      number(value),
+      number(wanted),
+      signed(100 * (value / wanted - 1), 3),
+    ];
+    const rows = Object.entries(QUANTITIES).map(([name, [word, index, unit]]) => ({
+      cells: cells(`${word}${index} (${unit})`, there[name], printed[name]),
+      data: { quantity: name, value: there[name] },
+    }));
+    const { time, size } = peak;
+    const largest = cells('largest qD (lb/ft²)', size, printed.q_D);
+    this.table.show([...rows, { cells: largest, data: { quantity: 'peak', value: size, time } }]);
+  }
+
+  /** @param {Values} values @param {Lifecycle} page */
+  draw(values, page) {
+    const found = flight(this.payload, /** @type {any} */ (values));
+    const told = `Vertical until ${number(values.upright)} s, level at ${number(values.level)} s`;
+    this.#drawHistories(found, page);
+    this.#drawProgram(values, told, page);
+    this.#tell(found);
+    const { printed } = this.payload;
+    const said =
+      `${told}: the largest dynamic pressure, ${number(found.peak.size)} lb/ft², comes at ` +
+      `${number(found.peak.time, 3)} s; the report has ${number(printed.q_D)} at ${printed.t} s.`;
+    set(this.words, said);
     return said;
   }
-  const all = [planes.q_D, planes.h, planes.U, program];
-  const nodes = [
-    words,
-    element('div', { class: 'planes' }, ...all.map((p) => p.figure)),
-    signs,
-    note,
-    table.node,
-  ];
-  return mount({ model, el }, { nodes, canvases: all.map((p) => p.canvas), draw });
 }
 
-export default { initialize, render };
+export const render = simple(Ascent);

@@ -1,84 +1,95 @@
 // Two designs side by side, each on a workbench of its own. The designs are chosen outside, by number.
 import { readAddress, writeAddress } from '../page/address.js';
-import { element } from '../page/dom.js';
+import { element } from '../page/elements.js';
 import { Workbench } from './workbench.js';
+
+/** @import { Context, Model, Values } from '../types.d.ts' */
 
 const SIDES = ['left', 'right'];
 const NAME = 'comparison';
 
-// What a workbench asks of a model, for one that only this page holds.
-class Held {
+/** A model that only this page holds. @implements {Model} */
+class PageModel {
+  /** @param {Values} values */
   constructor(values) {
     this.values = values;
+    /** @type {Map<string, Set<() => void>>} */
     this.acts = new Map();
   }
 
+  /** @param {string} name */
   get(name) {
     return this.values[name];
   }
 
+  /** @param {string} name @param {unknown} value */
   set(name, value) {
     if (this.values[name] === value) return;
     this.values[name] = value;
-    for (const act of [...this.#actsOf(`change:${name}`)]) act();
+    for (const act of [...(this.acts.get(`change:${name}`) ?? [])]) act();
   }
 
   save_changes() {}
 
-  #actsOf(event) {
-    if (!this.acts.has(event)) this.acts.set(event, new Set());
-    return this.acts.get(event);
-  }
-
+  /** @param {string} event @param {() => void} act */
   on(event, act) {
-    this.#actsOf(event).add(act);
+    this.acts.set(event, (this.acts.get(event) ?? new Set()).add(act));
   }
 
+  /** @param {string} event @param {() => void} act */
   off(event, act) {
-    this.#actsOf(event).delete(act);
+    this.acts.get(event)?.delete(act);
   }
 }
 
 class Side {
+  /** @param {Model} model @param {string} key */
   constructor(model, key) {
+    this.model = model;
     this.key = key;
-    this.system = element('div');
-    this.node = element('section', { class: 'side', 'aria-label': `${key} design` }, this.system);
-    this.show = () => this.#show(model.get('payload'), model.get(key));
+    /** @type {number} */
+    this.at = undefined;
+    /** @type {Workbench} */
+    this.bench = undefined;
+    this.root = element('div');
+    this.node = element('section', { class: 'side', 'aria-label': `${key} design` }, this.root);
   }
 
-  #show({ systems, designs }, at) {
+  show() {
+    const { systems, designs } = this.model.get('payload');
+    const at = this.model.get(this.key);
     if (at === this.at || !designs[at]) return;
     if (this.bench) {
-      this.bench.stop();
-      writeAddress(this.bench.name, {}); // what was looked at goes with the design
+      this.bench.page.stop();
+      writeAddress(this.bench.page.name, {}); // what was looked at goes with the design
     }
     const payload = systems[designs[at].system];
     const initial = payload.presets[designs[at].preset].values;
-    const fresh = element('div', { 'data-name': `${this.key}-${at}` });
-    this.system.replaceWith(fresh);
-    Object.assign(this, { at, system: fresh });
-    this.bench = new Workbench(new Held({ payload: { ...payload, initial }, magnify: 1, ...initial }), fresh);
-  }
-
-  stop() {
-    this.bench.stop();
+    const root = element('div', { 'data-name': `${this.key}-${at}` });
+    this.root.replaceWith(root);
+    Object.assign(this, { at, root });
+    const model = new PageModel({ payload: { ...payload, initial }, magnify: 1, ...initial });
+    this.bench = new Workbench(model, root);
   }
 }
 
-// Which designs an address names; the rest stays as it is.
+/**
+ * Which designs an address names; the rest stays as it is.
+ * @param {Record<string, string>} texts @param {number} count
+ */
 function chosen(texts, count) {
-  const numbers = SIDES.map((key) => [key, Number(texts[key] ?? NaN)]);
-  return numbers.filter(([, at]) => Number.isInteger(at) && at >= 0 && at < count);
+  const numbers = SIDES.map((key) => ({ key, at: Number(texts[key] ?? NaN) }));
+  return numbers.filter(({ at }) => Number.isInteger(at) && at >= 0 && at < count);
 }
 
-function render({ model, el }) {
+/** @param {Context} context */
+export function render({ model, el }) {
   el.classList.add('rlswaim-comparison');
   el.dataset.explorer = NAME;
   const start = SIDES.map((key) => model.get(key));
   const sides = SIDES.map((key) => new Side(model, key));
   const arrive = () => {
-    for (const [key, at] of chosen(readAddress(NAME), model.get('payload').designs.length))
+    for (const { key, at } of chosen(readAddress(NAME), model.get('payload').designs.length))
       model.set(key, at);
     model.save_changes();
   };
@@ -93,10 +104,8 @@ function render({ model, el }) {
   addEventListener('hashchange', arrive);
   changed();
   return () => {
-    for (const side of sides) side.stop();
+    for (const { bench } of sides) bench.page.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
     removeEventListener('hashchange', arrive);
   };
 }
-
-export default { render };

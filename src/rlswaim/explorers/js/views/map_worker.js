@@ -1,22 +1,13 @@
-// Runs beside the page: { id, plan } in, { id, rows } out every few milliseconds; a new plan ends the old one.
+// Runs beside the page: { id, plan } in, { id, parts } out every few milliseconds; a new plan ends the old
+// one.
 import { rows } from '../maths/abscissa.js';
+import { inSlices } from '../page/slices.js';
 
-let current = 0;
+const SLICE = 20; // ms
 
-onmessage = ({ data: { id, plan } }) => {
-  current = id;
-  const left = rows(plan);
-  const work = () => {
-    if (current !== id) return;
-    const found = [];
-    const until = performance.now() + 20;
-    let next = { done: false };
-    while (!next.done && performance.now() < until) {
-      next = left.next();
-      if (!next.done) found.push(next.value);
-    }
-    postMessage({ id, rows: found });
-    if (!next.done) setTimeout(work);
-  };
-  work();
-};
+let stop = () => {};
+
+addEventListener('message', ({ data: { id, plan } }) => {
+  stop();
+  stop = inSlices(rows(plan), SLICE, ({ parts }) => postMessage({ id, parts }));
+});

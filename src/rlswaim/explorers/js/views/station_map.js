@@ -1,316 +1,225 @@
 // The map over sensor and jet stations: computed beside the page, coarse first, drawn as it comes.
-import { STATIONS, STEPS, abscissaAt, planOf, rootsAt, rows } from '../maths/abscissa.js';
-import { element, set } from '../page/dom.js';
-import { Table, apply, legend, mount, number, plane, signed } from '../page/live_view.js';
-import { Plot } from '../drawing/plot.js';
-import { initialize } from '../page/sliders.js';
+import { contextOf } from '../drawing/context.js';
+import { Plane } from '../drawing/plane.js';
+import { frameOf, viewOf } from '../drawing/view.js';
+import { abscissaAt, planOf, rootsAt, STATIONS } from '../maths/abscissa.js';
+import { element, legend, picture, set } from '../page/elements.js';
+import { movable, movableByKeys } from '../page/movable_point.js';
+import { number, signed } from '../page/numbers.js';
+import { ValueTable } from '../page/value_table.js';
+import { VerdictLine } from '../page/verdict.js';
+import { MapCalculator } from './map_calculator.js';
+import { simple } from './simple_view.js';
+import {
+  chosenPair,
+  colorScale,
+  cursorMark,
+  pairOfTable3,
+  pixels,
+  progressWords,
+  zeroLine,
+} from './station_map_marks.js';
+import { StationPixels } from './station_pixels.js';
 
-const STATIONS_OF = ['sensor', 'jet'];
-const FINE = 0.002; // 1/s: the scale is straight below and logarithmic above
-const ENDS = 10;
-const TICKS = [-10, -1, -0.1, 0, 0.1, 1, 10];
+/** @import { Values } from '../types.d.ts' */
+/** @import { Lifecycle } from '../page/lifecycle.js' */
+/** @import { ParameterState } from '../page/parameter_state.js' */
+/** @import { Part } from './station_pixels.js' */
+/** @import { Pair } from './station_map_marks.js' */
 
-// Place of a value on the scale, from 0 to 1.
-const share = (value) =>
-  Math.max(0, Math.min(1, 0.5 + (0.5 * Math.asinh(value / FINE)) / Math.asinh(ENDS / FINE)));
+const RANGE = [-0.5, STATIONS - 0.5];
+const SCALE_MARGIN = { left: 8, right: 8, top: 0, bottom: 0 };
+const SCALE_WORDS = 'Color scale from −10 to +10 1/s, purple below zero, orange above';
 
-// Rows of the map from a worker made of the same scripts, or in short turns on the page where no worker may start.
-function calculator(code, receive) {
-  let id = 0;
-  let worker = null;
-  let latest = null;
-  function here() {
-    const mine = id;
-    const left = rows(latest);
-    const turn = () => {
-      if (mine !== id) return;
-      const until = performance.now() + 4;
-      const found = [];
-      let next = { done: false };
-      while (!next.done && performance.now() < until) {
-        next = left.next();
-        if (!next.done) found.push(next.value);
-      }
-      receive(found);
-      if (!next.done) setTimeout(turn);
-    };
-    turn();
+/** A whole foot on the vehicle. @param {number} value */
+const onVehicle = (value) => Math.max(0, Math.min(STATIONS - 1, Math.round(value)));
+
+class StationMap {
+  /** @param {any} payload */
+  constructor(payload) {
+    this.payload = payload;
+    /** @type {string[]} */
+    const names = payload.parameters.map((/** @type {{ name: string }} */ { name }) => name);
+    this.gains = names.filter((name) => name !== 'sensor' && name !== 'jet');
+    this.key = '';
+    this.started = false;
+    /** @type {any} */
+    this.plan = null;
+    /** @type {Pair | null} */
+    this.cursor = null;
+    this.pixels = new StationPixels(payload.palette);
+    this.calculator = new MapCalculator((parts) => this.#receive(parts));
+    this.map = picture(
+      'stations',
+      { tabindex: '0', role: 'application' },
+      element('b', {}, 'Largest real part of all poles'),
+      ' (1/s) for every sensor and jet',
+    );
+    this.scale = picture('scale', {}, 'color of the map (1/s): below zero all poles decay');
+    this.scale.canvas.ariaLabel = SCALE_WORDS;
+    this.verdict = new VerdictLine();
+    this.progress = element('p', { class: 'crossings' });
+    const heads = ['case', 'sensor (ft)', 'jet (ft)', 'largest real part (1/s)', 'stable'];
+    this.table = new ValueTable('The pairs of Table 3 at these gains', heads);
+    this.canvases = [this.map.canvas, this.scale.canvas];
   }
-  try {
-    const address = URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-    worker = new Worker(address, { type: 'module' });
-    worker.onmessage = ({ data }) => data.id === id && receive(data.rows);
-    worker.onerror = () => {
-      worker = null;
-      if (latest) here();
-    };
-  } catch {
-    worker = null;
+
+  get nodes() {
+    const signs = legend([
+      ['✚', 'the pair chosen: click, or drag it'],
+      ['○', 'pairs of Table 3'],
+      ['━', 'zero: stable within'],
+      ['◌', 'the keyboard’s mark: arrow keys move it (with Shift ten feet), Enter picks'],
+    ]);
+    const { map, scale, progress, table } = this;
+    return [this.verdict.node, map.figure, scale.figure, progress, signs, table.node];
   }
-  return {
-    start(plan) {
-      id += 1;
-      latest = plan;
-      if (worker) worker.postMessage({ id, plan });
-      else here();
-    },
-    halt() {
-      id += 1; // what still comes of the last plan is not taken
-    },
-    stop() {
-      id += 1;
-      worker?.terminate();
-    },
-  };
+
+  /** @param {Part[]} parts */
+  #receive(parts) {
+    for (const part of parts) {
+      if (part.pairs) this.#showPairs(part.pairs);
+      else this.pixels.take(part);
+    }
+    this.page.follow();
+  }
+
+  /** @param {number[]} values of the pairs of Table 3 */
+  #showPairs(values) {
+    const rows = values.map((value, i) => {
+      const { case: at, sensor, jet } = this.payload.pairs[i];
+      const stable = value < 0 ? 'yes' : value > 0 ? 'no' : 'neutral';
+      return { cells: [`${at}`, `${sensor}`, `${jet}`, signed(value), stable], data: { case: at, value } };
+    });
+    this.table.show(rows);
+  }
+
+  /** A new map where the gains have changed; it is computed once somebody sees it. @param {Values} values */
+  #follow(values) {
+    const key = JSON.stringify(this.gains.map((name) => values[name]));
+    if (key !== this.key) {
+      this.key = key;
+      this.plan = planOf(this.payload, Object.fromEntries(this.gains.map((name) => [name, values[name]])));
+      this.pixels.restart();
+      this.calculator.drop();
+      this.started = false;
+    }
+    if (this.page.seen && !this.started) this.calculator.start(this.plan);
+    this.started ||= this.page.seen;
+  }
+
+  /** @param {Values} values */
+  #picture(values) {
+    const { theme } = this.page;
+    const [width, height] = this.page.sizeOf(this.map.canvas);
+    this.view = viewOf(RANGE, RANGE, frameOf(width, height), width, height);
+    new Plane(contextOf(this.map.canvas, width, height), this.view, theme).chart(
+      'station of the sensor (ft)',
+      'station of the jet (ft)',
+      [
+        pixels(this.pixels.shown),
+        zeroLine(this.pixels.whole),
+        ...this.payload.pairs.map(pairOfTable3),
+        chosenPair(/** @type {any} */ (values)),
+        cursorMark(this.cursor),
+      ],
+    );
+    const [w, h] = this.page.sizeOf(this.scale.canvas);
+    const along = viewOf([0, 1], [0, 1], frameOf(w, h, SCALE_MARGIN), w, h);
+    new Plane(contextOf(this.scale.canvas, w, h), along, theme)
+      .clear()
+      .layers(colorScale(this.payload.palette));
+  }
+
+  /** @param {Values} values */
+  #verdict({ sensor, jet }) {
+    const value = abscissaAt(this.plan, sensor, jet);
+    const right = rootsAt(this.plan, sensor, jet).x.filter((/** @type {number} */ x) => x > 0).length;
+    const also = value > 0 ? `; ${right} of 9 poles lie right of the axis` : '';
+    const pair = `with the sensor at ${number(sensor)} ft and the jet at ${number(jet)} ft`;
+    this.verdict.node.dataset.value = String(value);
+    return {
+      kind: value > 0 ? 'unstable' : 'stable',
+      word: value < 0 ? 'Stable' : value > 0 ? 'Unstable' : 'Neutral',
+      long: `: ${pair} the largest real part is ${signed(value)} 1/s${also}.`,
+    };
+  }
+
+  #cursorWords() {
+    if (!this.cursor) return '';
+    const { sensor, jet } = this.cursor;
+    const value = signed(abscissaAt(this.plan, sensor, jet));
+    return `The mark is at sensor ${sensor} ft, jet ${jet} ft: ${value} 1/s.`;
+  }
+
+  /** @param {Values} values */
+  draw(values) {
+    this.#follow(values);
+    this.#picture(values);
+    const told = this.#verdict(values);
+    this.verdict.show(told);
+    set(this.progress, progressWords(this.pixels, STATIONS * STATIONS));
+    this.page.el.dataset.step = this.pixels.complete ? 'complete' : String(this.pixels.whole?.step ?? 0);
+    const said = `${told.word}${told.long}`;
+    const there = this.#cursorWords();
+    this.map.canvas.ariaLabel =
+      `Map of the largest real part over sensor and jet stations. ${said} ` +
+      `Arrow keys move a mark, Enter picks its pair. ${there}`;
+    return there || said;
+  }
+
+  /** @param {Pair | null} pair */
+  #put(pair) {
+    this.cursor = null;
+    if (pair) this.state.set(pair);
+    this.page.follow();
+  }
+
+  /**
+   * The pair is a point that moves over whole feet.
+   * @returns {import('../page/movable_point.js').MovablePoint}
+   */
+  #point() {
+    /** @param {number} px @param {number} py */
+    const at = (px, py) => this.#put({ sensor: onVehicle(this.view.x(px)), jet: onVehicle(this.view.y(py)) });
+    return {
+      grab: (px, py, reach) => {
+        const { sensor, jet } = this.state.values;
+        const off = Math.hypot(this.view.X(sensor) - px, this.view.Y(jet) - py);
+        return off <= reach ? 0 : -1;
+      },
+      drag: (_, px, py) => at(px, py),
+      click: at,
+      step: (right, up) => {
+        const { sensor, jet } = this.cursor ?? this.state.values;
+        this.cursor = { sensor: onVehicle(sensor + right), jet: onVehicle(jet + up) };
+        this.page.follow();
+      },
+    };
+  }
+
+  /** @param {KeyboardEvent} event */
+  #otherKeys({ key }) {
+    if ((key === 'Enter' || key === ' ') && this.cursor) this.#put(this.cursor);
+    else if (key === 'Escape') this.#put(null);
+    else return false;
+    return true;
+  }
+
+  /** @param {ParameterState} state @param {Lifecycle} page */
+  begin(state, page) {
+    this.state = state;
+    this.page = page;
+    const { canvas } = this.map;
+    const point = this.#point();
+    movable(canvas, point);
+    movableByKeys(canvas, point, (event) => this.#otherKeys(event));
+    canvas.addEventListener('blur', () => this.#put(null));
+  }
+
+  stop() {
+    this.calculator.stop();
+  }
 }
 
-function render({ model, el }) {
-  const payload = model.get('payload');
-  const gains = payload.parameters.map(({ name }) => name).filter((name) => !STATIONS_OF.includes(name));
-  const palette = payload.palette.map(
-    (hex) => Number.parseInt(hex.slice(5) + hex.slice(3, 5) + hex.slice(1, 3), 16) | 0xff000000,
-  );
-  let [plan, key, started, cursor] = [null, '', false, null];
-  let pictures = []; // of the last fineness that is whole, and of the one that comes in
-  let last = null; // the last fineness that is whole
-
-  const { canvas, figure } = plane(
-    'stations',
-    [element('b', {}, 'Largest real part of all poles'), ' (1/s) for every sensor and jet'],
-    { tabindex: '0', role: 'application' },
-  );
-  const scale = plane('scale', 'color of the map (1/s): below zero all poles decay');
-  const words = element('p', { class: 'verdict' });
-  const word = element('b');
-  const rest = element('span');
-  const progress = element('p', { class: 'crossings' });
-  words.append(word, rest);
-  const table = new Table('The pairs of Table 3 at these gains', [
-    'case',
-    'sensor (ft)',
-    'jet (ft)',
-    'largest real part (1/s)',
-    'stable',
-  ]);
-  const signs = legend([
-    ['✚', 'the pair chosen'],
-    ['○', 'pairs of Table 3'],
-    ['━', 'zero: stable within'],
-    ['◌', 'the keyboard’s mark: arrow keys move it (with Shift ten feet), Enter picks'],
-  ]);
-
-  // A picture of one fineness: a pixel for each pair, see-through where it has not come yet. Two of each serve in turn.
-  const made = new Map();
-  function pictureOf(step) {
-    const side = Math.ceil(STATIONS / step);
-    const [old, idle] = made.get(step) ?? [];
-    const canvas = idle?.canvas ?? element('canvas', { width: side, height: side });
-    const g = idle?.g ?? canvas.getContext('2d', { willReadFrequently: true }); // a canvas in plain memory: rows go in fast
-    const line = idle?.line ?? g.createImageData(side, 1);
-    g.clearRect(0, 0, side, side);
-    const picture = { step, side, canvas, g, line };
-    made.set(step, [picture, old]);
-    return picture;
-  }
-
-  function paint({ step, jet, values }) {
-    if (pictures.at(-1)?.step !== step) pictures = [...pictures.slice(-1), pictureOf(step)];
-    const { side, g, line } = pictures.at(-1);
-    const pixels = new Int32Array(line.data.buffer);
-    values.forEach((value, n) => (pixels[n] = palette[Math.round(share(value) * (palette.length - 1))]));
-    g.putImageData(line, 0, side - 1 - jet / step);
-  }
-
-  function receive(found) {
-    for (const part of found) {
-      if (part.pairs) showPairs(part.pairs);
-      else if (part.line) last = part;
-      else paint(part);
-    }
-    view.redraw();
-  }
-
-  function showPairs(values) {
-    table.show(
-      payload.pairs.map(({ case: at, sensor, jet }, i) => ({
-        cells: [
-          at,
-          sensor,
-          jet,
-          signed(values[i]),
-          values[i] < 0 ? 'yes' : values[i] > 0 ? 'no' : 'neutral',
-        ].map(String),
-        data: { case: at, value: values[i] },
-      })),
-    );
-  }
-  const machine = calculator(payload.worker, receive);
-
-  function restart(state, seen) {
-    const now = JSON.stringify(gains.map((name) => state[name]));
-    if (now !== key) {
-      key = now;
-      plan = planOf(payload, Object.fromEntries(gains.map((name) => [name, state[name]])));
-      [pictures, last, started] = [pictures.slice(-1), null, false];
-      machine.halt();
-    }
-    if (seen && !started) machine.start(plan);
-    started ||= seen;
-  }
-
-  function drawMap(state, theme) {
-    const plot = new Plot(canvas, theme, {
-      x: [-0.5, 420.5],
-      y: [-0.5, 420.5],
-      xLabel: 'station of the sensor (ft)',
-      yLabel: 'station of the jet (ft)',
-    }).axes();
-    const { g } = plot;
-    g.imageSmoothingEnabled = false;
-    for (const { step, side, canvas: cells } of pictures) {
-      g.drawImage(
-        cells,
-        plot.X(-0.5),
-        plot.Y(step * side - 0.5),
-        step * side * plot.sx,
-        step * side * plot.sy,
-      );
-    }
-    g.beginPath();
-    const line = last?.line ?? [];
-    for (let k = 0; k < line.length; k += 4) {
-      g.moveTo(plot.X(line[k]), plot.Y(line[k + 1]));
-      g.lineTo(plot.X(line[k + 2]), plot.Y(line[k + 3]));
-    }
-    g.strokeStyle = '#000';
-    g.lineWidth = 1.5;
-    g.stroke();
-    const ring = (sensor, jet, radius, color, width) => {
-      g.beginPath();
-      g.arc(plot.X(sensor), plot.Y(jet), radius, 0, 2 * Math.PI);
-      g.strokeStyle = color;
-      g.lineWidth = width;
-      g.stroke();
-    };
-    for (const { sensor, jet } of payload.pairs) {
-      ring(sensor, jet, 4, '#fff', 3);
-      ring(sensor, jet, 4, '#000', 1.3);
-    }
-    const [x, y] = [plot.X(state.sensor), plot.Y(state.jet)];
-    for (const [color, width] of [
-      ['#fff', 5],
-      ['#000', 2],
-    ]) {
-      g.strokeStyle = color;
-      g.lineWidth = width;
-      g.beginPath();
-      g.moveTo(x - 10, y);
-      g.lineTo(x + 10, y);
-      g.moveTo(x, y - 10);
-      g.lineTo(x, y + 10);
-      g.stroke();
-    }
-    if (cursor) {
-      g.setLineDash([3, 3]);
-      ring(cursor.sensor, cursor.jet, 9, '#fff', 4);
-      ring(cursor.sensor, cursor.jet, 9, '#000', 2);
-      g.setLineDash([]);
-    }
-    plot.finish();
-    return plot;
-  }
-
-  function drawScale(theme) {
-    const plot = new Plot(scale.canvas, theme, { x: [0, 1], y: [0, 1], bare: true });
-    const { g } = plot;
-    payload.palette.forEach((color, k) => {
-      g.fillStyle = color;
-      const width = (plot.width - 16) / payload.palette.length;
-      g.fillRect(8 + k * width, 0, width + 1, 12);
-    });
-    for (const tick of TICKS)
-      plot.text(
-        signed(tick, 1),
-        8 + share(tick) * (plot.width - 16),
-        20,
-        theme.muted,
-        tick === -ENDS ? 'left' : tick === ENDS ? 'right' : 'center',
-        false,
-      );
-  }
-
-  let plot;
-  function draw(state, theme, seen) {
-    restart(state, seen);
-    plot = drawMap(state, theme);
-    drawScale(theme);
-    const pair = rootsAt(plan, state.sensor, state.jet);
-    const value = abscissaAt(plan, state.sensor, state.jet);
-    const right = value > 0 ? pair.x.filter((x) => x > 0).length : 0;
-    word.className = value > 0 ? 'unstable' : 'stable';
-    set(word, value < 0 ? 'Stable' : value > 0 ? 'Unstable' : 'Neutral');
-    const why = `: with the sensor at ${number(state.sensor)} ft and the jet at ${number(state.jet)} ft the largest real part is ${signed(value)} 1/s${right ? `; ${right} of 9 poles lie right of the axis` : ''}.`;
-    set(rest, why);
-    Object.assign(words.dataset, { value });
-    const complete = last?.step === 1;
-    set(
-      progress,
-      complete
-        ? `All ${(STATIONS * STATIONS).toLocaleString('en')} pairs at one foot: ${last.stable.toLocaleString('en')} stable${last.neutral ? `, ${last.neutral.toLocaleString('en')} neutral, with a root at zero and none right of it` : ''}.`
-        : `Computing: every ${pictures.at(-1)?.step ?? STEPS[0]} ft …`,
-    );
-    el.dataset.step = complete ? 'complete' : String(last?.step ?? 0);
-    const there = cursor
-      ? ` The mark is at sensor ${cursor.sensor} ft, jet ${cursor.jet} ft: ${signed(abscissaAt(plan, cursor.sensor, cursor.jet))} 1/s.`
-      : '';
-    canvas.setAttribute(
-      'aria-label',
-      `Map of the largest real part over sensor and jet stations. ${word.textContent}${why} Arrow keys move a mark, Enter picks its pair.${there}`,
-    );
-    scale.canvas.setAttribute(
-      'aria-label',
-      'Color scale from −10 to +10 1/s, purple below zero, orange above',
-    );
-    return cursor ? there.trim() : `${word.textContent}${why}`;
-  }
-
-  const within = (value) => Math.max(0, Math.min(STATIONS - 1, Math.round(value)));
-  canvas.addEventListener('click', ({ offsetX, offsetY }) => {
-    if (!plot) return;
-    cursor = null;
-    apply(model, {
-      sensor: within(plot.x[0] + (offsetX - plot.pad.left) / plot.sx),
-      jet: within(plot.y[0] + (plot.height - plot.pad.bottom - offsetY) / plot.sy),
-    });
-    view.redraw();
-  });
-  const MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-  canvas.addEventListener('keydown', (event) => {
-    const move = MOVES[event.key];
-    if (move) {
-      const by = event.shiftKey ? 10 : 1;
-      cursor ??= { sensor: model.get('sensor'), jet: model.get('jet') };
-      cursor = { sensor: within(cursor.sensor + by * move[0]), jet: within(cursor.jet + by * move[1]) };
-    } else if ((event.key === 'Enter' || event.key === ' ') && cursor) {
-      apply(model, cursor);
-      cursor = null;
-    } else if (event.key === 'Escape') cursor = null;
-    else return;
-    event.preventDefault();
-    view.redraw();
-  });
-  canvas.addEventListener('blur', () => {
-    cursor = null;
-    view.redraw();
-  });
-
-  const view = {
-    nodes: [words, figure, scale.figure, progress, signs, table.node],
-    canvases: [canvas, scale.canvas],
-    draw,
-    stop: machine.stop,
-  };
-  return mount({ model, el }, view);
-}
-
-export default { initialize, render };
+export const render = simple(StationMap);

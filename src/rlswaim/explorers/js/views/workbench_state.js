@@ -1,103 +1,124 @@
-// The state under the reader's hands: the parameters (the model's) and what is looked at (the view's own).
+// The state of a workbench: its parameters, and what is shown of the system under them.
+import { holds, ParameterState } from '../page/parameter_state.js';
+import { DURATIONS, excitationsOf, GUSTS } from './excitations.js';
 
-const DEGREE = Math.PI / 180;
-const ANGLES = { alpha: 'α', theta: 'θ' };
-const FEET = { q1: 'q₁', q2: 'q₂' };
-export const DURATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500];
-export const GUSTS = [0.2, 0.5, 1, 2, 5, 10];
+/** @import { Camera, Model, System, Values, What } from '../types.d.ts' */
+/**
+ * @typedef {object} Shown
+ * @property {string} locus the key of the locus that is drawn
+ * @property {number} printed the preset whose printed roots are shown, -1 for none
+ * @property {number} mode the pole whose mode is shown
+ * @property {number} map the station that runs in the pole map, by its place
+ * @property {Camera | null} camera
+ * @property {number} input the excitation of the responses, by its place
+ * @property {number} duration s
+ * @property {number} gust s
+ */
+/** @typedef {{ key: string, text: string, what: What }} LocusChoice */
 
-// What the loop can be excited with: a step, a gust, or one coordinate displaced at the start.
-export function inputsOf({ numerators }) {
-  return Object.keys(numerators).map((input) => {
-    const name = input.replace('(0)', '');
-    if (input === 'theta_c') return { input, kind: 'step', amplitude: DEGREE, text: 'step of 1° in θ_c' };
-    if (input === 'alpha_g')
-      return { input, kind: 'gust', amplitude: DEGREE, text: '1 − cos gust of 1° in α_g' };
-    if (FEET[name])
-      return { input, kind: 'initial', amplitude: 1, text: `${FEET[name]} of 1 ft at the start` };
-    return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
+/**
+ * The loci that can be drawn: the report's own, then one for each slider.
+ * @param {System} system
+ * @returns {LocusChoice[]}
+ */
+function lociOf({ loci, running }) {
+  const own = loci.map((/** @type {What} */ what) => ({ key: what.name, text: what.name, what }));
+  const rest = Object.keys(running).map((name) => {
+    /** @type {What} */
+    const what = { running: name, off: [], of: 'poles' };
+    return { key: name, text: name, what };
   });
-}
-
-// The loci that can be drawn: the report's own, then one for each slider.
-export function lociOf({ loci, running }) {
-  const own = loci.map((what) => ({ key: what.name, text: what.name, what }));
-  const rest = Object.keys(running).map((name) => ({
-    key: name,
-    text: name,
-    what: { running: name, off: [], of: 'poles' },
-  }));
   return [...own, ...rest];
 }
 
-const START = { map: 0, camera: null, input: 0, duration: 5, gust: 2 };
-
-export class Desk {
+export class WorkbenchState extends ParameterState {
+  /** @param {Model} model */
   constructor(model) {
-    this.model = model;
-    this.system = model.get('payload');
-    this.loci = lociOf(this.system);
-    this.inputs = inputsOf(this.system);
-    this.names = this.system.parameters.map(({ name }) => name);
-    const fresh = this.system.presets.findIndex((p) => this.#same(p.values, this.system.initial));
-    const mode = this.system.poles.findIndex((p) => p.branch === 'mode 1' && p.im > 0);
+    super(model);
+    /** @type {System} */
+    const system = model.get('payload');
+    this.system = system;
+    this.loci = lociOf(system);
+    this.inputs = excitationsOf(system);
+    const fresh = system.presets.findIndex((preset) => holds(preset.values, system.initial));
+    /** @type {Shown} */
     this.start = {
-      ...START,
+      map: 0,
+      camera: null,
+      input: 0,
+      duration: 5,
+      gust: 2,
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
-      mode,
+      mode: system.poles.findIndex(
+        (/** @type {{ branch: string, im: number }} */ p) => p.branch === 'mode 1' && p.im > 0,
+      ),
     };
-    this.view = { ...this.start };
+    this.shown = { ...this.start };
   }
 
-  #same(values, state) {
-    return Object.entries(values).every(([name, value]) => state[name] === value);
+  get watched() {
+    return [...this.names, 'magnify'];
   }
 
+  /** How many times the window about the origin is enlarged; 1: there is none. @returns {number} */
+  get magnify() {
+    return this.model.get('magnify');
+  }
+
+  /** @param {number} preset */
   locusOf(preset) {
     return this.loci[this.system.presets[preset].locus ?? 0].key;
   }
 
-  get state() {
-    return Object.fromEntries(this.names.map((name) => [name, this.model.get(name)]));
-  }
-
   get what() {
-    return this.loci.find(({ key }) => key === this.view.locus).what;
+    return this.loci.find(({ key }) => key === this.shown.locus).what;
   }
 
+  /** The station that runs in the pole map. @returns {string} */
   get station() {
-    return this.system.maps[this.view.map];
+    return this.system.maps[this.shown.map];
   }
 
   get response() {
-    const { kind, input, amplitude } = this.inputs[this.view.input];
-    return { kind, input, amplitude, duration: this.view.gust };
+    const { kind, input, amplitude } = this.inputs[this.shown.input];
+    return { kind, input, amplitude, duration: this.shown.gust };
   }
 
-  // Is this the design of the report that the parameters are at? Of two with the same gains, the one that was chosen.
+  /**
+   * Is this the design of the report that the parameters are at? Of two with the same gains, the one that was
+   * chosen.
+   * @param {number} preset
+   */
   isDesign(preset) {
-    const { printed } = this.view;
-    const at = (i) => this.#same(this.system.presets[i].values, this.state);
+    const { printed } = this.shown;
+    const { values } = this;
+    /** @param {number} i */
+    const at = (i) => holds(this.system.presets[i].values, values);
     return at(preset) && (printed === preset || printed < 0 || !at(printed));
   }
 
-  set(values, view = {}) {
-    Object.assign(this.view, view);
-    for (const [name, value] of Object.entries(values)) this.model.set(name, value);
-    this.model.save_changes();
+  /** @param {string} name @returns {number[]} */
+  #gridOf(name) {
+    return this.parameters.find((p) => p.name === name).grid;
   }
 
-  // A value as its slider may take it: whole where the places are whole, else with five digits.
+  /**
+   * A value as its slider may take it: whole where the places are whole, else with five digits.
+   * @param {string} name @param {number} value
+   */
   place(name, value) {
-    const { grid } = this.system.parameters.find((p) => p.name === name);
+    const grid = this.#gridOf(name);
     if (!grid.every(Number.isInteger)) return Number(value.toPrecision(5));
     return Math.min(Math.max(Math.round(value), grid[0]), grid.at(-1));
   }
 
-  // The place of the slider some places on from a value.
+  /**
+   * The slider's place so many places on from the present value.
+   * @param {string} name @param {number} places
+   */
   stepped(name, places) {
-    const { grid } = this.system.parameters.find((p) => p.name === name);
+    const grid = this.#gridOf(name);
     const value = this.model.get(name);
     const next = places > 0 ? grid.findIndex((g) => g > value) : grid.findLastIndex((g) => g < value);
     if (next < 0) return value;
@@ -105,77 +126,75 @@ export class Desk {
   }
 
   reset() {
-    this.view = { ...this.start };
+    this.shown = { ...this.start };
     this.set({ ...this.system.initial, magnify: this.system.magnify ?? 1 });
   }
 
+  /** The window is no part of a step of the history. */
   snapshot() {
-    return JSON.stringify([this.state, { ...this.view, camera: null }, this.model.get('magnify')]);
+    return JSON.stringify([this.values, { ...this.shown, camera: null }, this.magnify]);
   }
 
+  /** @param {string} snapshot */
   restore(snapshot) {
-    const [state, view, magnify] = JSON.parse(snapshot);
-    this.set({ ...state, magnify }, { ...view, camera: this.view.camera });
+    const [values, shown, magnify] = JSON.parse(snapshot);
+    this.shown = { ...shown, camera: this.shown.camera };
+    this.set({ ...values, magnify });
   }
 
-  // What differs from the start, as texts for the page's address.
+  /** All parameters if one differs from the start, then what is shown differently. @returns {Values} */
   toAddress() {
-    const { state, view, start } = this;
-    const { initial } = this.system;
-    const moved = this.names.some((name) => state[name] !== initial[name]);
-    const all = moved ? this.names.map((name) => [name, state[name]]) : [];
-    for (const name of Object.keys(start))
-      if (name !== 'camera' && view[name] !== start[name]) all.push([`view.${name}`, view[name]]);
-    const { camera } = view;
+    const { values, shown, start } = this;
+    /** @type {Values} */
+    const all = holds(this.system.initial, values) ? {} : { ...values };
+    for (const name of /** @type {(keyof Shown)[]} */ (Object.keys(start)))
+      if (name !== 'camera' && shown[name] !== start[name]) all[`view.${name}`] = shown[name];
+    const { camera } = shown;
     if (camera)
-      all.push([
-        'view.window',
-        [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_'),
-      ]);
-    const magnify = this.model.get('magnify');
-    if (magnify !== (this.system.magnify ?? 1)) all.push(['view.magnify', magnify]);
-    return Object.fromEntries(all);
+      all['view.window'] = [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_');
+    if (this.magnify !== (this.system.magnify ?? 1)) all['view.magnify'] = this.magnify;
+    return all;
   }
 
-  // What an address says, as far as it makes sense; the rest stays as it is.
+  /** @param {Record<string, string>} texts */
   fromAddress(texts) {
-    const values = {};
-    for (const { name, grid } of this.system.parameters) {
-      const text = texts[name];
-      if (text === undefined) continue;
-      if (typeof grid[0] === 'string') grid.includes(text) && (values[name] = text);
-      else if (text.trim() !== '' && Number.isFinite(Number(text)) && this.#allowed(grid, Number(text)))
-        values[name] = Number(text);
-    }
+    Object.assign(this.shown, this.#shownFrom(texts));
     const magnify = Number(texts['view.magnify']);
-    if (magnify >= 1 && magnify <= 1e6) values.magnify = magnify;
-    this.set(values, this.#viewFrom(texts));
+    if (magnify >= 1 && magnify <= 1e6) this.set({ magnify });
+    super.fromAddress(texts);
   }
 
-  #allowed(grid, value) {
-    return (
-      !grid.every(Number.isInteger) || (Number.isInteger(value) && value >= grid[0] && value <= grid.at(-1))
-    );
+  /**
+   * Any value may be typed into a box, but a station lies on the vehicle.
+   * @param {number[]} grid @param {number} value
+   */
+  allows(grid, value) {
+    return !grid.every(Number.isInteger) || super.allows(grid, value);
   }
 
-  #viewFrom(texts) {
-    const view = {};
-    const locus = texts['view.locus'];
-    if (this.loci.some(({ key }) => key === locus)) view.locus = locus;
+  /** @param {Record<string, string>} texts @returns {Partial<Shown>} */
+  #shownFrom(texts) {
+    /** @type {Record<string, number[]>} */
     const places = {
-      map: this.system.maps,
-      input: this.inputs,
-      printed: this.system.presets,
-      mode: { length: 99 },
+      map: [0, this.system.maps.length],
+      input: [0, this.inputs.length],
+      printed: [-1, this.system.presets.length],
+      mode: [0, 99],
     };
-    for (const [name, { length }] of Object.entries(places)) {
+    /** @type {Record<string, any>} */
+    const shown = {};
+    for (const [name, [first, end]] of Object.entries(places)) {
       const at = Number(texts[`view.${name}`] ?? NaN);
-      if (Number.isInteger(at) && at >= (name === 'printed' ? -1 : 0) && at < length) view[name] = at;
+      if (Number.isInteger(at) && at >= first && at < end) shown[name] = at;
     }
-    if (DURATIONS.includes(Number(texts['view.duration']))) view.duration = Number(texts['view.duration']);
-    if (GUSTS.includes(Number(texts['view.gust']))) view.gust = Number(texts['view.gust']);
+    for (const [name, allowed] of Object.entries({ duration: DURATIONS, gust: GUSTS })) {
+      const value = Number(texts[`view.${name}`]);
+      if (allowed.includes(value)) shown[name] = value;
+    }
+    const locus = texts['view.locus'];
+    if (this.loci.some(({ key }) => key === locus)) shown.locus = locus;
     const [x, y, w] = (texts['view.window'] ?? '').split('_').map(Number);
-    if (Number.isFinite(x) && Number.isFinite(y) && w > 0) view.camera = { x, y, w };
-    return view;
+    if (Number.isFinite(x) && Number.isFinite(y) && w > 0) shown.camera = { x, y, w };
+    return shown;
   }
 }

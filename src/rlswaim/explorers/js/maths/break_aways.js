@@ -1,0 +1,189 @@
+// Where branches of a root locus meet: multiple roots of D + k N for a real gain k.
+import { flatten, startingPoints } from './aberth.js';
+import { gainAtPoint } from './factored_loop.js';
+import { distance, EPS } from './polynomials.js';
+
+/** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
+/** @typedef {import('./multiple_roots.js').Root} Root */
+/** @typedef {{ gain: number, x: number, y: number, count: number }} BreakAway count: how many branches meet at x + jy */
+/**
+ * The sum of weight / (s - x - jy).
+ * @typedef {{ x: Float64Array, y: Float64Array, weight: Float64Array }} Terms
+ */
+
+/**
+ * The break-aways of a loop: there d(ln k)/ds = Σ 1/(s - poles) - Σ 1/(s - zeros) = 0. A multiple open-loop pole is one too,
+ * at the gain 0. Of a conjugate pair the upper one stands for both. One whose gain rounding of the data may change by more
+ * than its size is left out.
+ * @param {FactoredLoop} loop
+ * @returns {BreakAway[]}
+ */
+export function breakAways(loop) {
+  const { poles, zeros } = loop;
+  if (!Number.isFinite(loop.gain) || loop.gain === 0) return [];
+  const multiple = poles.filter(({ count, y }) => count > 1 && y >= 0);
+  const start = multiple.map(({ x, y, count }) => ({ gain: 0, x, y, count }));
+  const roots = [...poles, ...zeros];
+  const terms = {
+    x: Float64Array.from(roots, ({ x }) => x),
+    y: Float64Array.from(roots, ({ y }) => y),
+    weight: Float64Array.from(roots, ({ count }, i) => (i < poles.length ? count : -count)),
+  };
+  const met = gathered(terms, stationaryPoints(terms));
+  return [...start, ...met.flatMap((point) => withGain(loop, point))];
+}
+
+/**
+ * @param {FactoredLoop} loop
+ * @param {Root} point
+ * @returns {BreakAway[]}
+ */
+function withGain(loop, { x, y, count }) {
+  if (y < 0) return [];
+  const doubt = loop.doubt(x, y);
+  const [gain, rest] = gainAtPoint(loop, x, y);
+  const isReal = Math.abs(rest) <= Math.min(1e-3, Math.max(1e-9, 16 * doubt)) * Math.abs(gain);
+  return isReal && doubt < 1 && Number.isFinite(gain) ? [{ gain, x, y, count: count + 1 }] : [];
+}
+
+/**
+ * All zeros of the sum of terms, by Aberth's iteration on the sum times Π(s - x - jy).
+ * @param {Terms} terms
+ * @returns {{ x: number[], y: number[] }}
+ */
+function stationaryPoints(terms) {
+  const { scale, c } = numerator(terms);
+  let n = c.length - 1;
+  while (n > 0 && c[n] === 0) n--;
+  if (n < 1) return { x: [], y: [] };
+  const [x, y] = guesses(c, n, scale);
+  const rests = new Uint8Array(n);
+  for (let sweep = 0; sweep < 80 && rests.includes(0); sweep++)
+    for (let i = 0; i < n; i++) if (rests[i] === 0 && moved(terms, x, y, i)) rests[i] = 1;
+  flatten(x, y);
+  return { x, y };
+}
+
+// Starting points for the roots of c, in a unit of `scale`; a constant term of 0 counts as very small.
+/**
+ * @param {Float64Array} c
+ * @param {number} n
+ * @param {number} scale
+ */
+function guesses(c, n, scale) {
+  const least = 1e-16 * Math.max(...c.map(Math.abs));
+  const inner = c.slice(0, n + 1);
+  if (inner[0] === 0) inner[0] = least;
+  return startingPoints(inner, n).map((v) => v.map((part) => part * scale));
+}
+
+// Σ weight Π over the other terms of (s - x - jy): a real polynomial of s / scale, which is the geometric mean of the sizes.
+/** @param {Terms} terms */
+function numerator(terms) {
+  const sizes = terms.x.map((x, i) => Math.hypot(x, terms.y[i])).filter((size) => size > 0);
+  const scale = Math.exp(sizes.reduce((sum, size) => sum + Math.log(size), 0) / sizes.length) || 1;
+  const n = terms.x.length;
+  const [Qx, Qy] = [new Float64Array(n), new Float64Array(n)];
+  const [Rx, Ry] = [new Float64Array(n + 1), new Float64Array(n + 1)];
+  Rx[0] = 1;
+  for (let done = 0; done < n; done++) {
+    const [px, py, weight] = [terms.x[done] / scale, terms.y[done] / scale, terms.weight[done]];
+    for (let k = done; k >= 0; k--) {
+      const [qx, qy] = [Qx[k], Qy[k]];
+      Qx[k] = (k > 0 ? Qx[k - 1] : 0) - (qx * px - qy * py) + weight * Rx[k];
+      Qy[k] = (k > 0 ? Qy[k - 1] : 0) - (qx * py + qy * px) + weight * Ry[k];
+    }
+    for (let k = done + 1; k >= 0; k--) {
+      const [rx, ry] = [Rx[k], Ry[k]];
+      Rx[k] = (k > 0 ? Rx[k - 1] : 0) - (rx * px - ry * py);
+      Ry[k] = (k > 0 ? Ry[k - 1] : 0) - (rx * py + ry * px);
+    }
+  }
+  return { scale, c: Qx };
+}
+
+// One step of point i. Returns whether it rests from now on.
+/**
+ * @param {Terms} terms
+ * @param {number[]} x
+ * @param {number[]} y
+ * @param {number} i
+ */
+function moved(terms, x, y, i) {
+  const zx = x[i];
+  const zy = y[i];
+  let [fx, fy, gx, gy] = [0, 0, 0, 0]; // the sum f and -f'
+  let [px, py, size] = [0, 0, 0]; // Σ 1/(s - r) - Σ 1/(s - s_j), Σ |terms|
+  for (let k = 0; k < terms.x.length; k++) {
+    const dx = zx - terms.x[k];
+    const dy = zy - terms.y[k];
+    const over = 1 / (dx * dx + dy * dy || 1e-300);
+    const ix = dx * over;
+    const iy = -dy * over;
+    const weight = terms.weight[k];
+    fx += weight * ix;
+    fy += weight * iy;
+    gx += weight * (ix * ix - iy * iy);
+    gy += weight * 2 * ix * iy;
+    px += ix;
+    py += iy;
+    size += Math.abs(weight) * Math.sqrt(over);
+  }
+  const f = fx * fx + fy * fy;
+  if (f <= EPS * EPS * size * size) return true;
+  for (let j = 0; j < x.length; j++) {
+    if (j === i) continue;
+    const ex = zx - x[j];
+    const ey = zy - y[j];
+    const over = 1 / (ex * ex + ey * ey || 1e-300);
+    px -= ex * over;
+    py += ey * over;
+  }
+  const sx = px - (gx * fx + gy * fy) / f;
+  const sy = py - (gy * fx - gx * fy) / f;
+  const square = sx * sx + sy * sy || 1e-300;
+  x[i] -= sx / square;
+  y[i] += sy / square;
+  return 1 <= square * EPS * EPS * (zx * zx + zy * zy);
+}
+
+// Stationary points that coincide but for rounding as one: more than two branches meet there.
+/**
+ * @param {Terms} terms
+ * @param {{ x: number[], y: number[] }} points
+ * @returns {Root[]}
+ */
+function gathered(terms, { x, y }) {
+  const left = new Set(x.keys());
+  /** @type {Root[]} */
+  const found = [];
+  for (const i of left) {
+    const near = [i];
+    const farthest = 1e-4 * distance(x[i], y[i]);
+    for (const j of left) if (j !== i && distance(x[j] - x[i], y[j] - y[i]) <= farthest) near.push(j);
+    const [mx, my] = [x, y].map((v) => near.reduce((sum, j) => sum + v[j], 0) / near.length);
+    const up = near.some((j) => y[j] * my <= 0) ? 0 : my;
+    const isOne = near.length > 1 && isStationary(terms, mx, up);
+    for (const j of isOne ? near : [i]) left.delete(j);
+    if (isOne) found.push({ x: mx, y: up, count: near.length });
+    else found.push({ x: x[i], y: y[i], count: 1 });
+  }
+  return found;
+}
+
+/**
+ * @param {Terms} terms
+ * @param {number} x
+ * @param {number} y
+ */
+function isStationary(terms, x, y) {
+  let [re, im, size] = [0, 0, 0];
+  for (let k = 0; k < terms.x.length; k++) {
+    const [dx, dy] = [x - terms.x[k], y - terms.y[k]];
+    const over = terms.weight[k] / (dx * dx + dy * dy);
+    re += dx * over;
+    im -= dy * over;
+    size += Math.abs(over) * distance(dx, dy);
+  }
+  return distance(re, im) <= 8 * EPS * size;
+}

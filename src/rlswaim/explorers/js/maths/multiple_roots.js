@@ -1,0 +1,144 @@
+// The distinct roots of a polynomial with their multiplicities.
+import { roots } from './aberth.js';
+import { distance, ROUNDING } from './polynomials.js';
+import { sharpened } from './sharpened.js';
+
+/** @typedef {import('./polynomials.js').Coefficients} Coefficients */
+/** @typedef {import('./polynomials.js').Complex} Complex */
+/** @typedef {{ x: number, y: number, count: number }} Root a root of a multiplicity */
+
+const CLUSTER = 0.1; // no roots farther apart than this part of their size are taken for one
+
+/**
+ * The roots of a polynomial, each once: those that the data let be one are one.
+ * @param {Float64Array} c
+ * @param {Coefficients} sizes
+ * @returns {Root[]}
+ */
+export function distinctRoots(c, sizes) {
+  if (c.length < 2) return [];
+  const { x, y } = sharpened(c, roots(c));
+  const partner = conjugates(x, y);
+  const left = new Set(x.keys());
+  /** @type {Root[]} */
+  const found = [];
+  for (const i of x.keys()) {
+    if (!left.has(i) || y[i] < 0) continue;
+    const { members, x: at, y: up } = clusterOf(c, sizes, x, y, i, left);
+    for (const j of members) {
+      left.delete(j);
+      left.delete(partner[j]);
+    }
+    found.push({ x: at, y: up, count: members.length });
+    if (up > 0) found.push({ x: at, y: -up, count: members.length });
+  }
+  return found;
+}
+
+// For each root the number of its conjugate, its own if it is real. A root that has lost its conjugate counts as real.
+/**
+ * @param {number[]} x
+ * @param {number[]} y
+ */
+function conjugates(x, y) {
+  const partner = Array.from(x.keys());
+  const lower = new Set(partner.filter((i) => y[i] < 0));
+  for (const i of x.keys()) {
+    if (y[i] <= 0) continue;
+    let least = Infinity;
+    for (const j of lower) {
+      const off = distance(x[j] - x[i], y[j] + y[i]);
+      if (off < least) [least, partner[i]] = [off, j];
+    }
+    if (least === Infinity) y[i] = 0;
+    else lower.delete(partner[i]);
+    partner[partner[i]] = i;
+  }
+  for (const i of lower) y[i] = 0;
+  return partner;
+}
+
+// The largest group of roots beside one that are far from the others and may be one multiple root.
+/**
+ * @param {Float64Array} c
+ * @param {Coefficients} sizes
+ * @param {number[]} x
+ * @param {number[]} y
+ * @param {number} i
+ * @param {Set<number>} left
+ */
+function clusterOf(c, sizes, x, y, i, left) {
+  const alone = { members: [i], x: x[i], y: y[i] };
+  const off = (/** @type {number} */ j) => distance(x[j] - x[i], y[j] - y[i]);
+  const farthest = CLUSTER * distance(x[i], y[i]);
+  const near = [i];
+  for (const j of left) if (j !== i && off(j) <= 4 * farthest) near.push(j);
+  if (near.length === 1) return alone;
+  near.sort((a, b) => off(a) - off(b));
+  for (let m = near.length; m > 1; m--) {
+    const members = near.slice(0, m);
+    const next = m < near.length ? off(near[m]) : Infinity;
+    if (off(members[m - 1]) > Math.min(farthest, 0.25 * next)) continue;
+    const [mx, my] = [x, y].map((v) => members.reduce((sum, j) => sum + v[j], 0) / m);
+    const real = members.some((j) => y[j] === 0) || members.some((j) => y[j] * my < 0);
+    const at = polishedMultiple(c, m, mx, real ? 0 : my);
+    if (isMultiple(c, sizes, m, at[0], at[1])) return { members, x: at[0], y: at[1] };
+  }
+  return alone;
+}
+
+// The derivatives of c at a point over j!, for j = 0 ... m, and the sums of the sizes of their terms.
+/**
+ * @param {Coefficients} c
+ * @param {Coefficients} sizes
+ * @param {number} m
+ * @param {number} x
+ * @param {number} y
+ */
+function taylor(c, sizes, m, x, y) {
+  const n = c.length;
+  const size = Math.hypot(x, y);
+  const [re, im, terms] = [Float64Array.from(c), new Float64Array(n), Float64Array.from(sizes, Math.abs)];
+  for (let j = 0; j <= m && j < n; j++) {
+    for (let k = n - 2; k >= j; k--) {
+      const [a, b] = [re[k + 1], im[k + 1]];
+      re[k] += a * x - b * y;
+      im[k] += a * y + b * x;
+      terms[k] += terms[k + 1] * size;
+    }
+  }
+  return { re, im, terms };
+}
+
+// The simple root of the (m-1)th derivative beside a point: where a multiple root of c is, if it has one.
+/**
+ * @param {Coefficients} c
+ * @param {number} m
+ * @param {number} x
+ * @param {number} y
+ * @returns {Complex}
+ */
+function polishedMultiple(c, m, x, y) {
+  let [zx, zy] = [x, y];
+  for (let step = 0; step < 4; step++) {
+    const { re, im } = taylor(c, c, m, zx, zy);
+    const [px, py, dx, dy] = [re[m - 1], im[m - 1], m * re[m], m * im[m]];
+    const square = dx * dx + dy * dy;
+    zx -= (px * dx + py * dy) / square;
+    zy -= (py * dx - px * dy) / square;
+  }
+  return Math.hypot(zx - x, zy - y) <= CLUSTER * Math.hypot(x, y) ? [zx, zy] : [x, y];
+}
+
+/**
+ * @param {Coefficients} c
+ * @param {Coefficients} sizes
+ * @param {number} m
+ * @param {number} x
+ * @param {number} y
+ */
+function isMultiple(c, sizes, m, x, y) {
+  const { re, im, terms } = taylor(c, sizes, m, x, y);
+  for (let j = 0; j < m; j++) if (Math.hypot(re[j], im[j]) > ROUNDING * terms[j]) return false;
+  return true;
+}

@@ -1,0 +1,155 @@
+// The life of a view on its page: when it is drawn, its theme and size, its undo, its part of the page's
+// address.
+import { nameOf, readAddress, writeAddress } from './address.js';
+import { element, set } from './elements.js';
+import { Redraw } from './redraw.js';
+import { onThemeChange, themeOf } from './theme.js';
+import { onUndoKeys, UndoHistory } from './undo.js';
+
+/** @import { Theme } from '../types.d.ts' */
+/** @import { ParameterState } from './parameter_state.js' */
+/**
+ * @typedef {object} View what a lifecycle asks of a view
+ * @property {ParameterState} state
+ * @property {Record<string, string>} colors
+ * @property {HTMLCanvasElement[]} canvases nothing is drawn before the first has a size
+ * @property {() => string} draw the same state gives the same picture, and words for it
+ * @property {() => void} [later] what may lag behind the picture
+ * @property {() => void} [stop]
+ * @property {(texts: Record<string, string>) => void} [arrived] what an address says beside the state
+ */
+
+const LAG = 160; // ms until what nobody watches follows the picture
+
+export class Lifecycle {
+  /** @param {HTMLElement} el @param {string} system @param {View} view */
+  constructor(el, system, view) {
+    this.el = el;
+    this.view = view;
+    this.live = element('span', { class: 'unseen', role: 'status', 'aria-live': 'polite' });
+    /** @type {Theme} */
+    this.theme = undefined;
+    /** @type {Map<Element, [number, number]>} */
+    this.sizes = new Map();
+    this.timer = 0;
+    this.words = '';
+    this.arrived = false;
+    el.classList.add('rlswaim-explorer');
+    el.dataset.explorer = system;
+    el.dataset.lmSuppressShortcuts = 'true'; // JupyterLab keeps its own keys out
+    this.redraw = new Redraw(el, () => this.#draw());
+    this.history = new UndoHistory({
+      snapshot: () => view.state.snapshot(),
+      restore: (snapshot) => {
+        view.state.restore(snapshot);
+        this.redraw.now();
+      },
+    });
+    this.#listen();
+  }
+
+  get name() {
+    return nameOf(this.el);
+  }
+
+  get seen() {
+    return this.redraw.seen;
+  }
+
+  /** Width and height of a canvas in CSS px, as last laid out. @param {Element} canvas */
+  sizeOf(canvas) {
+    return this.sizes.get(canvas) ?? [0, 0];
+  }
+
+  /** The state changed under the hand. */
+  changed() {
+    this.history.note();
+    this.redraw.now();
+  }
+
+  /** Something changed that the page brings about, not the hand. */
+  follow() {
+    this.redraw.next();
+  }
+
+  #listen() {
+    const { el, view } = this;
+    const { model, watched } = view.state;
+    const changed = () => this.changed();
+    const address = () => this.#readAddress();
+    for (const name of watched) model.on(`change:${name}`, changed);
+    const resized = new ResizeObserver(() => this.#measure());
+    for (const canvas of view.canvases) resized.observe(canvas);
+    const unwatch = onThemeChange(() => {
+      if (this.theme) this.theme = themeOf(el, view.colors); // at once: what moves by itself doesn't wait
+      this.follow();
+    });
+    const unkey = onUndoKeys(el, this.history);
+    addEventListener('hashchange', address);
+    this.stop = () => {
+      this.redraw.stop();
+      this.history.stop();
+      clearTimeout(this.timer);
+      resized.disconnect();
+      unwatch();
+      unkey();
+      removeEventListener('hashchange', address);
+      for (const name of watched) model.off(`change:${name}`, changed);
+      view.stop?.();
+    };
+  }
+
+  #measure() {
+    if (!this.arrived && this.el.isConnected) {
+      this.arrived = true;
+      this.#readAddress();
+      this.history.begin();
+    }
+    if (this.view.canvases.map((canvas) => this.#resized(canvas)).some(Boolean)) this.follow();
+  }
+
+  /**
+   * Notes the size that the layout gives a canvas; a height that the drawing has set is its own.
+   * @param {HTMLElement} canvas
+   */
+  #resized(canvas) {
+    const [before, above] = this.sizeOf(canvas);
+    const { clientWidth: width, clientHeight: height } = canvas;
+    this.sizes.set(canvas, [width, height]);
+    return width !== before || (height !== above && canvas.style.height === '');
+  }
+
+  #draw() {
+    const { el, view } = this;
+    if (this.sizeOf(view.canvases[0])[0] === 0) return; // not on the page yet
+    const start = performance.now();
+    this.theme ??= themeOf(el, view.colors);
+    const first = this.words === '';
+    this.words = view.draw();
+    const detail = { ms: performance.now() - start };
+    if (first) set(this.live, this.words);
+    el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail }));
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.later(), LAG);
+  }
+
+  /** Words for a screen reader and the address follow when the hand rests. */
+  later() {
+    if (this.words === '') return;
+    set(this.live, this.words);
+    this.view.later?.();
+    this.writeAddress();
+  }
+
+  writeAddress() {
+    writeAddress(this.name, this.view.state.toAddress());
+  }
+
+  #readAddress() {
+    const texts = readAddress(this.name);
+    if (Object.keys(texts).length === 0) return;
+    this.view.state.fromAddress(texts);
+    this.view.arrived?.(texts);
+    this.follow();
+  }
+}

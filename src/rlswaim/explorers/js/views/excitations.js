@@ -1,0 +1,24 @@
+// What a loop can be excited with, and the choices of a response's length.
+/** @import { System } from '../types.d.ts' */
+/** @typedef {{ input: string, kind: string, amplitude: number, text: string }} Excitation */
+
+const DEGREE = Math.PI / 180;
+/** @type {Record<string, string>} */
+const ANGLES = { alpha: 'α', theta: 'θ' };
+/** @type {Record<string, string>} */
+const FEET = { q1: 'q₁', q2: 'q₂' };
+export const DURATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500];
+export const GUSTS = [0.2, 0.5, 1, 2, 5, 10];
+
+/** A step, a gust, or one coordinate displaced at the start. @param {string} input @returns {Excitation} */
+function excitationOf(input) {
+  const name = input.replace('(0)', '');
+  if (input === 'theta_c') return { input, kind: 'step', amplitude: DEGREE, text: 'step of 1° in θ_c' };
+  if (input === 'alpha_g')
+    return { input, kind: 'gust', amplitude: DEGREE, text: '1 − cos gust of 1° in α_g' };
+  if (FEET[name]) return { input, kind: 'initial', amplitude: 1, text: `${FEET[name]} of 1 ft at the start` };
+  return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
+}
+
+/** @param {System} system */
+export const excitationsOf = ({ numerators }) => Object.keys(numerators).map(excitationOf);

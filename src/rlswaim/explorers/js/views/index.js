@@ -1,0 +1,28 @@
+// All live views, by the names that Python sends in `payload.view`, and what tests ask of them.
+import { height, loads } from '../maths/bent_vehicle_forces.js';
+import { paths, poles } from '../maths/coupled_poles.js';
+import { flight } from '../maths/flights.js';
+import { initialize } from '../page/sliders.js';
+import { render as ascent } from './ascent.js';
+import { render as bentVehicle } from './bent_vehicle.js';
+import { render as comparison } from './comparison.js';
+import { render as coupledVehicle } from './coupled_vehicle.js';
+import { render as stationMap } from './station_map.js';
+import { render as workbench } from './workbench.js';
+
+/** @import { Context } from '../types.d.ts' */
+
+/** @type {Record<string, (context: Context) => () => void>} */
+const VIEWS = {
+  ascent,
+  'bent-vehicle': bentVehicle,
+  comparison,
+  'coupled-vehicle': coupledVehicle,
+  'station-map': stationMap,
+  workbench,
+};
+
+/** Puts a view into its element; returns what takes it away. @param {Context} context */
+const render = (context) => VIEWS[context.model.get('payload').view](context);
+
+export { flight, height, initialize, loads, paths, poles, render };

@@ -1,0 +1,166 @@
+"""The live views of Sections IV to VII: each control system with its sliders and its loops."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import control
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
+from rlswaim.explorers.presets import corrected_designs, designs
+from rlswaim.loops import control_systems
+from rlswaim.loops.control_systems import ControlSystem, entering_value
+from rlswaim.source import checks
+from rlswaim.vehicle.equations import PerturbationEquations
+
+FEEDBACKS = ("total", "rigid body")
+
+
+@dataclass(frozen=True)
+class View:
+    """What a live view of one control system adds to it.
+
+    Attributes
+    ----------
+    name, section : str
+    system : ControlSystem
+    gains : mapping of str to (smallest, largest size, whether of both signs)
+        The number parameters in the order of their sliders.
+    loci : tuple of mapping
+        The loops in the order in which the report closes them; the gains that they run in are ``closing``.
+    """
+
+    name: str
+    section: str
+    system: ControlSystem
+    gains: Mapping[str, tuple[float, float, bool]]
+    loci: tuple[Mapping[str, Any], ...]
+
+    @property
+    def choice(self) -> bool:
+        """Whether the feedback can be chosen: the total angle, or the rigid body's alone."""
+        return "gyro" in self.system.optional
+
+    def closed_loop(self, eqs: PerturbationEquations, **values: Any) -> control.StateSpace:
+        """Return the closed loop of the library at the sliders' values.
+
+        Parameters
+        ----------
+        eqs : PerturbationEquations
+        **values : float or str
+            By parameter.
+        """
+        if values.pop("feedback", "total") == "rigid body":
+            values["gyro"] = None
+        return self.system.function(eqs, **values)
+
+    def shape_values(self, eqs: PerturbationEquations) -> dict[str, dict[str, Any]]:
+        """Return for each factor of a station the name of that and its value for ``eqs`` at each foot."""
+        return {
+            factor: {"at": station, "values": values_at_feet(eqs, *by)}
+            for station, entering in self.system.stations.items()
+            for factor, by in entering.items()
+        }
+
+    def parameters(self, eqs: PerturbationEquations) -> tuple[Parameter, ...]:
+        """Return the parameters with the places of their sliders, for the designs of ``eqs``."""
+        known = [*designs(self.section).values(), *corrected_designs(self.section, eqs).values()]
+        numbers = [_number(name, *scale, known) for name, scale in self.gains.items()]
+        stations = [
+            Parameter(
+                at, at.replace("_", " ").capitalize(), "ft", f"station of the {at} (ft)", FEET, whole_station
+            )
+            for at in self.system.stations
+        ]
+        choice = Parameter("feedback", "Feedback", "", "angle fed back", FEEDBACKS, _feedback)
+        return (*numbers, *stations, *([choice] if self.choice else []))
+
+
+MEANINGS = {
+    "K_A": ("K_A", "", "amplifier gain (rad/rad)"),
+    "K_C": ("K_C", "1/s", "actuator gain (1/s)"),
+    "K_R": ("K_R", "s", "rate gyro gain (s)"),
+    "K_z": ("K_z", "rad s/ft", "displacement sensor gain (rad s/ft)"),
+    "K_za": ("K_{z_a}", "rad s/ft", "gain of sensor a (rad s/ft)"),
+    "K_zb": ("K_{z_b}", "rad s/ft", "gain of sensor b (rad s/ft)"),
+    "kK_z": ("k K_z", "lb s/ft", "jet constant times sensor gain (lb s/ft)"),
+    "K_r": ("K_r", "1/s", "gain of the jet's valve (1/s)"),
+    "b": ("b", "1/s", "attitude-to-rate ratio of the sensor (1/s)"),
+}
+"""Symbol (TeX), unit and meaning of each number parameter."""
+
+
+def _number(name: str, least: float, most: float, signed: bool, known: list[dict[str, Value]]) -> Parameter:
+    """Return a number parameter: its slider runs over round numbers and the designs' own values."""
+    size = np.linspace(least, most, 100) if most == 1 else np.geomspace(least, most, 281 if signed else 121)
+    places: tuple[ArrayLike, ...] = (-size, 0.0, size) if signed else (size,)
+    rounded = [float(f"{place:.3g}") for place in np.hstack(places)]
+    symbol, unit, meaning = MEANINGS[name]
+    grid = np.union1d(rounded, [float(f"{design[name]:.4g}") for design in known])
+    return Parameter(name, rf"\({symbol}\)", unit, f"{name}, {meaning}", tuple(grid.tolist()))
+
+
+def _feedback(name: str, value: object, where: str) -> str:
+    return checks.one_of(name, value, FEEDBACKS, where)
+
+
+ATTITUDE: Mapping[str, tuple[float, float, bool]] = {
+    "K_A": (1e-4, 1e3, True),
+    "K_C": (0.1, 100.0, False),
+    "K_R": (0.01, 1.0, True),
+}
+SENSOR_GAIN = (1e-4, 1e2, True)
+
+
+def _locus(name: str, running: str, *off: str, **zeros: str) -> dict[str, Any]:
+    return {"name": name, "running": running, "off": off, "of": "zeros" if zeros else "poles", **zeros}
+
+
+RATE_ATTITUDE = View(
+    "rate-attitude", "IV", control_systems.RATE_ATTITUDE, ATTITUDE, (_locus("attitude loop", "K_A"),)
+)
+SINGLE_SENSOR = View(
+    "single-sensor",
+    "V",
+    control_systems.SINGLE_SENSOR,
+    {**ATTITUDE, "K_z": SENSOR_GAIN},
+    (_locus("inner loop", "K_z", "K_A"), _locus("outer loop", "K_A")),
+)
+TWO_SENSOR = View(
+    "two-sensor",
+    "VI",
+    control_systems.TWO_SENSOR,
+    {**ATTITUDE, "K_za": SENSOR_GAIN, "K_zb": SENSOR_GAIN},
+    (
+        _locus("first closure", "K_za", "K_zb", "K_A"),
+        _locus("second closure", "K_zb", "K_A"),
+        _locus("outer loop", "K_A"),
+    ),
+)
+DUAL_ACTUATION = View(
+    "dual-actuation",
+    "VII",
+    control_systems.DUAL_ACTUATION,
+    {**ATTITUDE, "kK_z": (1e2, 1e10, True), "K_r": (0.1, 100.0, False), "b": (0.1, 100.0, False)},
+    (
+        _locus("closure 1", "kK_z", "K_A"),
+        _locus("closure 2", "kK_z", gain="K_A"),
+        _locus("closure 3", "K_A"),
+    ),
+)
+VIEWS = {view.section: view for view in (RATE_ATTITUDE, SINGLE_SENSOR, TWO_SENSOR, DUAL_ACTUATION)}
+
+
+def values_at_feet(eqs: PerturbationEquations, kind: str, mode: int) -> list[float]:
+    """Return what a station enters the equations by, at each foot of the vehicle.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    kind, mode : str, int
+        As in `rlswaim.loops.control_systems.entering_value`.
+    """
+    feet = np.array(FEET, dtype=float)
+    return np.asarray(entering_value(eqs.modes, eqs.l_CG, kind, mode, feet)).tolist()

