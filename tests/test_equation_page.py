@@ -8,12 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from rlswaim.edition.further_rows import entries
+from rlswaim.edition.ledger import ledger
 from rlswaim.edition.tables_as_printed import printed_table
 from rlswaim.source.equations import templates
 from serve import server
 
 EXTENSIONS = Path(__file__).parent.parent / "book" / "extensions"
+ENTRIES = {entry.id: entry for entry in ledger()}
 PLACES = {key: found.entries for key, found in templates().items()}
 
 CONF = """
@@ -136,7 +137,7 @@ def equation(number: int) -> str:
 
 
 def test_a_card_opens_under_the_pointer_and_can_be_entered(page):
-    row = entries()["eq61-g_1"]
+    row = ENTRIES["eq61-g_1"]
     number = page.locator(f"{equation(61)} .printed[data-entry='eq61-g_1']").first
     number.hover()
     card(page).wait_for(state="visible")

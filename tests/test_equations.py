@@ -5,12 +5,13 @@ import re
 import pytest
 
 from rlswaim.edition.equations_as_printed import as_tex, digits, rows, template, with_numbers
-from rlswaim.edition.further_rows import entries, further_rows
+from rlswaim.edition.ledger import KINDS, kind_counts, ledger
 from rlswaim.edition.tables_as_printed import printed_table
 from rlswaim.source.equations import PLACE, parse, templates
-from rlswaim.source.tables import half_unit, read_table
+from rlswaim.source.tables import half_unit
 
 UNNUMBERED = ("37a", "37b", "39a", "40a", "41a", "46a", "75a", "84a", "87a", "125a", "133a", "135a", "136a")
+ENTRIES = {entry.id: entry for entry in ledger()}
 PLACES = {key: found.entries for key, found in templates().items()}
 MARK = re.compile(
     r"(-?)\\class\{printed (verdict-[a-z-]+) kind-[a-z]+ entry-([^}]+)\}\{(-?)((?:[^{}]|\{[^{}]*\})+)\}"
@@ -175,36 +176,37 @@ def test_tables_have_the_report_s_shape():
         printed_table(4)
 
 
-# ---- rows that the ledger lacked, and what kind each row is
-
-
-def test_further_rows_are_new_and_judged_both_ways():
-    assert {e.id for e in further_rows()} & {row["id"] for row in read_table("printed")} == set()
-    wrong = [e.id for e in further_rows() if e.agrees != (e.verdict == "agrees")]
-    assert wrong == []
-    assert [e.id for e in further_rows() if e.verdict != "agrees" and not e.why] == []
+# ---- what kind each row is
 
 
 def test_every_row_has_a_kind():
-    kinds = {row["id"]: row for row in read_table("kinds")}
-    assert kinds.keys() == entries().keys()
-    assert {row["kind"] for row in kinds.values()} == {"result", "given", "reprint"}
+    assert {entry.kind for entry in ENTRIES.values()} == set(KINDS)
+    assert [e.id for e in ENTRIES.values() if bool(e.of) != (e.kind == "reprint")] == []
 
 
 def test_what_is_given_agrees_by_itself():
-    given = [entries()[row["id"]] for row in read_table("kinds") if row["kind"] == "given"]
+    given = [entry for entry in ENTRIES.values() if entry.kind == "given"]
     assert len(given) > 100
     assert [e.id for e in given if not e.agrees] == []
+    assert [e.id for e in ENTRIES.values() if e.quantity.endswith("(a choice)") and e.kind == "result"] == []
 
 
 def test_a_reprint_repeats_the_digits_of_a_result_or_of_what_is_given():
     """But for its sign, a digit rounded off in Eqs. 131 and 132, and the point of Eq. 38's gust."""
-    kinds = {row["id"]: row for row in read_table("kinds")}
-    reprints = [row for row in kinds.values() if row["kind"] == "reprint"]
+    reprints = [entry for entry in ENTRIES.values() if entry.kind == "reprint"]
     assert len(reprints) > 150
-    for row in reprints:
-        again, first = entries()[row["id"]], entries()[row["of"]]
-        assert kinds[first.id]["kind"] != "reprint", row
+    for again in reprints:
+        first = ENTRIES[again.of]
+        assert first.kind != "reprint", again
         if again.id != "eq38-gust_M":
             slack = half_unit(again.printed) if "jet_M" in again.id else 0.0
-            assert abs(abs(again.value) - abs(first.value)) <= slack * (1 + 1e-9), row
+            assert abs(abs(again.value) - abs(first.value)) <= slack * (1 + 1e-9), again
+
+
+def test_kinds_are_counted_apart():
+    found = kind_counts()
+    assert found.loc["all", "all"] == found.loc[[*KINDS], "all"].sum() == len(ENTRIES)
+    assert (found[["agrees", "rounding", "more"]].sum(axis=1) == found["all"]).all()
+    assert found.loc["given", "agrees"] == found.loc["given", "all"]
+    results = [entry for entry in ENTRIES.values() if entry.kind == "result"]
+    assert found.loc["result", "agrees"] == sum(entry.agrees for entry in results)

@@ -21,9 +21,8 @@ from sphinx.application import Sphinx
 from sphinx.directives.patches import MathDirective
 from sphinx.util.docutils import SphinxDirective
 
-from rlswaim.edition.equations_as_printed import as_tex, classes, kinds, slug, template
-from rlswaim.edition.further_rows import entries
-from rlswaim.edition.ledger import VERDICTS, Entry, table
+from rlswaim.edition.equations_as_printed import as_tex, classes, slug, template
+from rlswaim.edition.ledger import VERDICTS, as_frame, ledger
 from rlswaim.edition.tables_as_printed import printed_table, row_of
 
 HERE = Path(__file__).parent
@@ -115,13 +114,13 @@ class VerdictLegend(SphinxDirective):
         return [nodes.raw("", f'<ul class="verdict-legend">{"".join(samples)}</ul>', format="html")]
 
 
-def card_data(rows: list[Entry]) -> str:
+def card_data() -> str:
     """Return the script with what the cards say: cells, kind and first print by id; each reason once."""
-    shown = table(rows)
+    shown = as_frame(ledger())[[*CELLS]]
     reasons = list(dict.fromkeys(shown["why"]))
     cells = {
-        name: [*row[:-1], reasons.index(row[-1]), kinds()[name]["kind"], kinds()[name]["of"]]
-        for name, *row in shown[[*CELLS]].itertuples()
+        entry.id: [*row[:-1], reasons.index(row[-1]), entry.kind, entry.of]
+        for entry, row in zip(ledger(), shown.to_numpy().tolist(), strict=True)
     }
     data = json.dumps({"rows": cells, "reasons": reasons}, ensure_ascii=False, separators=(",", ":"))
     return f"export default {data};\n"
@@ -133,7 +132,7 @@ def write(app: Sphinx, exception: Exception | None) -> None:
         static = Path(app.outdir) / "_static"
         for name in FILES:
             shutil.copy(HERE / name, static / name)
-        (static / "printed_numbers.js").write_text(card_data(list(entries().values())), encoding="utf-8")
+        (static / "printed_numbers.js").write_text(card_data(), encoding="utf-8")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

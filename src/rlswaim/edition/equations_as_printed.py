@@ -11,24 +11,11 @@ from functools import cache
 from rlswaim.source.equations import PLACE, Template, templates
 from rlswaim.source.tables import Row, read_table
 
-TABLES = ("printed", "printed_more")
-"""The ledger's table, and the rows that are to join it."""
-
-
-@cache
-def kinds() -> dict[str, Row]:
-    """Return ``kind`` (result, given or reprint) and ``of`` (the row of the first print) of each row, by id.
-
-    Given are data and choices of the report; they agree by themselves.  A reprint is the same number
-    again, but for its sign.  All others are results.
-    """
-    return {row["id"]: row for row in read_table("kinds")}
-
 
 @cache
 def rows() -> dict[str, Row]:
     """Return the rows of printed numbers by id."""
-    return {row["id"]: row for table in TABLES for row in read_table(table)}
+    return {row["id"]: row for row in read_table("printed")}
 
 
 def template(key: str | int) -> Template:
@@ -77,7 +64,8 @@ def slug(verdict: str) -> str:
 
 def classes(entry: str) -> list[str]:
     """Return the classes on the page of the number of row ``entry``: its verdict, its kind and the id."""
-    return ["printed", slug(rows()[entry]["verdict"]), f"kind-{kinds()[entry]['kind']}", f"entry-{entry}"]
+    row = rows()[entry]
+    return ["printed", slug(row["verdict"]), f"kind-{row['kind']}", f"entry-{entry}"]
 
 
 def _marked(entry: str, tex: str) -> str:
