@@ -4,6 +4,8 @@ A row of ``data/printed.csv`` holds the number as printed, as text: half a unit
 in its last digit is its tolerance.  The verdicts are a short fixed list, and
 each is tested both ways: a test fails if a row's numbers disagree and its
 verdict is "agrees", and also if they agree and its verdict is another.
+Data and choices of the report agree by themselves, and a number that is
+printed again says nothing new, so rows are told apart by their kind.
 """
 
 from collections.abc import Callable, Iterable
@@ -26,6 +28,9 @@ VERDICTS = (
     "not reproducible",
 )
 
+KINDS = ("result", "given", "reprint")
+"""What the report computed; its data and choices; and a number again, but for its sign."""
+
 SECTIONS: dict[str, Callable[[], dict[str, float]]] = {
     "II": section_2.computed,
     "III": section_3.computed,
@@ -39,7 +44,10 @@ SECTIONS: dict[str, Callable[[], dict[str, float]]] = {
 
 @dataclass(frozen=True)
 class Entry:
-    """One printed number, the number computed here, and the verdict on the difference."""
+    """One printed number and what became of it.
+
+    ``kind`` is one of `KINDS`; of a reprint, ``of`` is the id of the row that has the number first.
+    """
 
     id: str
     section: str
@@ -47,9 +55,11 @@ class Entry:
     quantity: str
     printed: str
     unit: str
-    computed: float
+    kind: str
+    of: str
     verdict: str
     why: str
+    computed: float
 
     @property
     def value(self) -> float:
@@ -74,36 +84,19 @@ def ledger() -> tuple[Entry, ...]:
     Returns
     -------
     tuple of Entry
-        ``.id .where .printed .computed .verdict .why``, and the quantity and its unit.
+        ``.id .where .printed .computed .verdict .why .kind``, and the quantity and its unit.
 
     Raises
     ------
     KeyError
         If a row of the table has no computation behind it.
     """
-    entries = []
-    for section, compute in SECTIONS.items():
-        entries += _section(section, compute)
-    return tuple(entries)
+    return tuple(entry for section in SECTIONS for entry in _section(section))
 
 
-def _section(section: str, compute: Callable[[], dict[str, float]]) -> list[Entry]:
-    computed = compute()
-    rows = printed_rows(section)
-    return [
-        Entry(
-            row["id"],
-            section,
-            row["where"],
-            row["quantity"],
-            row["printed"],
-            row["unit"],
-            float(computed[row["id"]]),
-            row["verdict"],
-            row["why"],
-        )
-        for row in rows
-    ]
+def _section(section: str) -> list[Entry]:
+    computed = SECTIONS[section]()
+    return [Entry(**row, computed=float(computed[row["id"]])) for row in printed_rows(section)]
 
 
 def as_frame(entries: Iterable[Entry]) -> pd.DataFrame:
@@ -180,6 +173,16 @@ def counts() -> pd.DataFrame:
     found = pd.crosstab(rows.section, rows.verdict, margins=True, margins_name="all")
     found = found.reindex(index=[*SECTIONS, "all"], columns=[*VERDICTS, "all"], fill_value=0)
     return found.rename_axis(columns=None)
+
+
+def kind_counts() -> pd.DataFrame:
+    """Return how many rows of each kind (and "all") there are, agree, differ by rounding, or by more."""
+    rows = pd.DataFrame([(e.kind, e.verdict) for e in ledger()], columns=["kind", "verdict"])
+    judged = rows.verdict.where(rows.verdict.isin(VERDICTS[:2]), "more")
+    found = pd.crosstab(rows.kind, judged, margins=True, margins_name="all")
+    return found.reindex(index=[*KINDS, "all"], columns=["all", *VERDICTS[:2], "more"]).rename_axis(
+        columns=None
+    )
 
 
 def repeated_slips() -> pd.DataFrame:

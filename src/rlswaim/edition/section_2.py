@@ -32,17 +32,29 @@ def _tables(booster: Booster) -> dict[str, float]:
     return cells | sums | read | {"tab1-M": m.sum(), "tab1-l_CG": booster.recomputed().l_CG}
 
 
+def _data() -> dict[str, float]:
+    """Return data of the text, and two masses that confirm Table 1 with our g."""
+    booster, ascent, data = swaim_booster(), swaim_ascent(), constants("vehicle")
+    named = {name: data[name] for name in ("W_0", "W_burnout", "t_burn", "T", "S")}
+    named |= {f"C_Nalpha-{surface.name}": surface.C_Nalpha for surface in booster.surfaces}
+    named |= {f"omega_{i}": mode.omega for i, mode in enumerate(booster.modes, start=1)}
+    named["payload"] = float(booster.masses[0] * ascent.g)
+    named["M"] = ascent.M_0 - ascent.m_p * booster.flight.t
+    named["m_p"] = (data["W_0"] - data["W_burnout"]) / data["g"] / data["t_burn"]
+    return {f"sec2-{name}": value for name, value in named.items()}
+
+
 def computed() -> dict[str, float]:
     """Return our number for each row of section II of ``data/printed.csv``, by its id."""
-    booster, ascent, data = swaim_booster(), swaim_ascent(), constants("vehicle")
+    booster, ascent = swaim_booster(), swaim_ascent()
     phi = [np.asarray(mode.deflection(booster.stations)) for mode in booster.modes]
     flown = fly(ascent, level_at_burnout(ascent), np.arange(0, ascent.t_burn, 0.05))
     at = flown.at(booster.flight.t)
-    return _tables(booster) | {
+    numbers = _data() | _tables(booster)
+    return numbers | {
         "sec2-translation_1": translation_product(booster.masses, phi[0]),
         "sec2-translation_2": translation_product(booster.masses, phi[1]),
         "sec2-orthogonality": generalized_mass(booster.masses, *phi),
-        "sec2-m_p": (data["W_0"] - data["W_burnout"]) / data["g"] / data["t_burn"],
         "fig3-q_D": float(dynamic_pressure(booster.flight.h, booster.flight.U)[0]),
         "fig3-t": flown.peak[0],
         "fig4-U": at["U"],

@@ -38,6 +38,7 @@ def computed() -> dict[str, float]:
     omega = np.sqrt(rigid[1])
     return {
         **_coefficients(),
+        "sec3-zeta_1": printed.modes[0].zeta,
         **as_written(printed, "eq42-", "eq48-"),
         **{"eq39-c1": rigid[2], "eq39-c0": rigid[1]},
         **{"eq39-omega_sp": omega, "eq39-zeta_sp": rigid[2] / (2 * omega)},

@@ -1,10 +1,11 @@
-"""Section IV: rate and attitude feedback [Eqs. 59-96, Figures 8 and 11]."""
+"""Section IV: rate and attitude feedback [Eqs. 59-96, Figures 8, 10 and 11]."""
 
 import numpy as np
 
 from rlswaim.edition.matching import as_written, choices, roots_beside
 from rlswaim.loops.certificates import gain_terms, gains_for_pole
 from rlswaim.loops.factors import factored
+from rlswaim.loops.named_branches import named_locus, open_loop_parts
 from rlswaim.loops.rigid_body_design import WANTED, RigidBody, rigid_body, rigid_design
 from rlswaim.loops.transfer_functions import denominator, theta_loop
 from rlswaim.rootlocus.locus import root_locus
@@ -61,6 +62,10 @@ def _design(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]
     gains = rigid_design(body, omega=2.0, zeta=0.5, K_C=K_C)
     ours = rigid_body(eqs)
     return {f"eq61-{name}": getattr(ours, name) for name in ("c_0", "c_1", "g_0", "g_1")} | {
+        "sec4-omega_sp": abs(WANTED),
+        "sec4-zeta_sp": -WANTED.real / abs(WANTED),
+        "eq69-2zw": -2 * WANTED.real,
+        "eq70-w2": abs(WANTED) ** 2,
         "eq68-constant": 2.0 - body.c_1,
         "eq69-constant": 4.0 - body.c_0,
         "eq72-sum": K_C - 2.0 + body.c_1,
@@ -115,6 +120,18 @@ def _transfer_functions(eqs: PerturbationEquations, p: dict[str, float]) -> dict
     return found | {"fig8-limit": max(abs(zeros))}
 
 
+def _modes_of_figures(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
+    """Return which modes are unstable in Figure 10 at large K_A, and how many Figure 11 stiffens."""
+    loop, starts = theta_loop(eqs, p["fig10-K_C"], p["fig10-K_R"], 60), open_loop_parts(eqs, p["fig10-K_C"])
+    ten = named_locus(loop, 1e3, starts).ends
+    loop, starts = theta_loop(eqs, p["fig11-K_C"], p["fig11-K_R"], None), open_loop_parts(eqs, p["fig11-K_C"])
+    eleven = named_locus(loop, p["fig11-K_A"], starts).ends
+    names = ("mode 1", "mode 2")
+    unstable = {f"fig10-mode{i}-unstable": float(ten[m].real.max() > 0) for i, m in enumerate(names, start=1)}
+    stiffened = sum(bool(abs(eleven[m][0]) > abs(starts[m][0])) for m in names)
+    return unstable | {"fig11-stiffened": float(stiffened)}
+
+
 def computed() -> dict[str, float]:
     """Return our number for each row of section IV of ``data/printed.csv``, by its id.
 
@@ -123,4 +140,4 @@ def computed() -> dict[str, float]:
     """
     eqs, p = printed_equations(), printed("IV")
     found = _data() | _closed_loops(eqs, p) | _polynomial(eqs, p) | _transfer_functions(eqs, p)
-    return found | _design(eqs, p)
+    return found | _design(eqs, p) | _modes_of_figures(eqs, p)

@@ -7,10 +7,11 @@ from numpy.polynomial import polynomial as npp
 from rlswaim.edition.matching import KINDS, choices, printed_roots, roots_beside
 from rlswaim.loops.factors import factored, from_factors
 from rlswaim.loops.rigid_body_design import WANTED
+from rlswaim.loops.systems import single_sensor
 from rlswaim.loops.transfer_functions import inner_loop
 from rlswaim.rootlocus.locus import root_locus
 from rlswaim.source.tables import printed
-from rlswaim.vehicle.equations import printed_equations
+from rlswaim.vehicle.equations import PerturbationEquations, printed_equations
 
 
 def printed_poles() -> list[complex]:
@@ -61,6 +62,21 @@ def quartic(zeros: np.ndarray) -> np.ndarray:
     return npp.polyfromroots(pairs).real
 
 
+def best_station(eqs: PerturbationEquations) -> float:
+    """Return which sensor station (ft) of those tried leaves the rightmost root least far right.
+
+    The gains are those of Figure 16, with K_z of either sign.
+    """
+    chosen = printed("V", "fig16-")
+    gains, K_z = {name: chosen[name] for name in ("K_A", "K_C", "K_R")}, chosen["K_z"]
+
+    def abscissa(station: float) -> float:
+        loops = (single_sensor(eqs, **gains, K_z=sign * K_z, sensor=station) for sign in (1, -1))
+        return float(min(loop.poles().real.max() for loop in loops))
+
+    return min(printed("V", "sec5-sensor-").values(), key=abscissa)
+
+
 def computed() -> dict[str, float]:
     """Return our number for each row of section V of ``data/printed.csv``, by its id.
 
@@ -74,6 +90,7 @@ def computed() -> dict[str, float]:
     at = min(short[short.imag > 0], key=lambda s: abs(s - WANTED))
     return {
         **choices("V"),
+        "sec5-best": best_station(eqs),
         "eq108-gain": gain / chosen["K_C"],
         "eq109-gain": float(eqs.numerator("theta", "delta")[5]),
         "fig16-K_A": nearest_gain(outer, WANTED, np.geomspace(1, 1000, 3001))[0],

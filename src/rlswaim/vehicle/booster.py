@@ -208,7 +208,7 @@ def swaim_booster() -> Booster:
     """
     data: dict[str, Any] = {**constants("vehicle")}
     surfaces = tuple(
-        Surface(row["name"], float(row["station_ft"]), float(row["C_Nalpha_per_rad"]))
+        Surface(row["name"], float(row["station_ft"]), number(row["C_Nalpha_per_rad"]))
         for row in read_table("surfaces")
     )
     return Booster(
