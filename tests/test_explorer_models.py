@@ -24,7 +24,8 @@ from rlswaim.explorers.control_systems import SYSTEMS, payload
 from rlswaim.explorers.presets import COMPARED, CORRECTED, corrected_designs, designs
 from rlswaim.loops.closures import JetLoop, theta_numerator
 from rlswaim.loops.multiaffine import multiaffine_forms, with_shapes
-from rlswaim.rootlocus.polynomials import characteristic_polynomial, exact_characteristic_polynomial, roots
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial, exact_characteristic_polynomial
+from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import read_table, script
 
 EQUATIONS = {"data": rl.perturbation_equations(rl.swaim_booster()), "printed": rl.printed_equations()}

@@ -11,7 +11,8 @@ import rlswaim as rl
 from exact import exact_roots, paired
 from rlswaim.edition import conclusions, robustness, search
 from rlswaim.loops import certificates, family, rigid_body_design
-from rlswaim.rootlocus.polynomials import exact_characteristic_polynomial, roots
+from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial
+from rlswaim.rootlocus.polynomials import roots
 from systems import polynomial_at
 
 EQS = rl.printed_equations()

@@ -20,7 +20,7 @@ from rlswaim.explorers.control_systems import DUAL_ACTUATION
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.scripts import module
 from rlswaim.loops import station_maps
-from rlswaim.rootlocus.polynomials import characteristic_polynomial
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
 from rlswaim.vehicle import trajectory
 from standin import go_to_empty_page
 
