@@ -52,8 +52,7 @@ def aberth(slopes: Slopes, guess: NDArray, steps: int) -> Roots:
                 busy, z, slope, done = busy[left], z[:, left], slope[:, left], done[:, left]
             step = 1 / (slope - _repulsion(z))
             s[:, busy] = np.where(done | ~np.isfinite(step), z, z - step)
-        done = slopes(s[:, busy], busy)[1].all(axis=0)
-    found[busy] = done
+        found[busy] = slopes(s[:, busy], busy)[1].all(axis=0)
     return Roots(s, found)
 
 

@@ -91,7 +91,9 @@ class ClosedLoop:
             return self.eigenvalues(gains)
         D, N = (
             np.atleast_1d(np.poly(np.repeat(x, m))).real[::-1]
-            for x, m in zip(*(np.split(part, [self.poles]) for part in (self.points, self.counts)), strict=True)
+            for x, m in zip(
+                *(np.split(part, [self.poles]) for part in (self.points, self.counts)), strict=True
+            )
         )
         N = np.append(N, np.zeros(D.size - N.size)) * self.gain
         return np.stack([starting_points(D + gain * N) for gain in gains], axis=1)
@@ -117,9 +119,17 @@ class ClosedLoop:
         return np.linalg.eigvals(matrices).astype(complex).T
 
     def roots(self, gains: NDArray, guess: NDArray | None = None) -> NDArray:
-        """Return the moving roots (K, n) at ``gains`` (K,) in exact pairs, from a ``guess`` (K, n) if there is one.
+        """Return the moving roots at given gains, in exact pairs.
 
-        Without one, eigenvalues are the guess.
+        Parameters
+        ----------
+        gains : ndarray, shape (K,)
+        guess : ndarray of complex, shape (K, n), optional
+            Without it, eigenvalues are the first guess.
+
+        Returns
+        -------
+        ndarray of complex, shape (K, n)
         """
         found = np.tile(self.loop.moving_poles, (gains.size, 1))
         moved = np.flatnonzero(gains)
@@ -150,17 +160,19 @@ class ClosedLoop:
         return real_and_conjugate(values[:, 0])
 
     def _complete(self, gains: NDArray, s: NDArray) -> NDArray:
-        """Return for which gains (K,) the roots ``s`` (n, K) add up to what they must, so that none is missing."""
+        """Return for which ``gains`` (K,) the roots ``s`` (n, K) have the right sum: none is missing."""
         poles, zeros = (
             (x * m).sum().real
-            for x, m in zip(*(np.split(part, [self.poles]) for part in (self.points, self.counts)), strict=True)
+            for x, m in zip(
+                *(np.split(part, [self.poles]) for part in (self.points, self.counts)), strict=True
+            )
         )
         kg = gains * self.gain
         total = (poles + kg * zeros) / (1 + kg) if self.excess == 0 else poles - kg * (self.excess == 1)
         return np.abs(s.sum(axis=0) - total) <= 1e-7 * (np.abs(s).sum(axis=0) + np.abs(self.points).max())
 
     def _nodes(self) -> NDArray:
-        """Return as many distinct points as there are poles: conjugate pairs, the upper one first, after reals."""
+        """Return as many distinct points as there are poles: reals, then pairs, the upper one first."""
         poles, counts = self.points[: self.poles], self.counts[: self.poles]
         nodes = []
         for pole, count in zip(poles[poles.imag >= 0], counts[poles.imag >= 0], strict=True):

@@ -34,6 +34,8 @@ def solve(closed: ClosedLoop, gains: NDArray, meetings: NDArray) -> NDArray:
     """
     distinct, place = np.unique(gains, return_inverse=True)
     closed.loop.refuse_infinite(distinct)
+    if closed.order == 0:  # nothing moves
+        return np.zeros((gains.size, 0), complex)
     between = (meetings > distinct[0]) & (meetings < distinct[-1])
     path = np.union1d(distinct, meetings[between])
     values = connected(closed, path, _roots_along(closed, path))
@@ -106,7 +108,9 @@ def connected(closed: ClosedLoop, gains: NDArray, values: NDArray) -> NDArray:
         low = _paired(closed, np.stack([ends[0], middle]), np.stack([sets[at], between]))
         high = _paired(closed, np.stack([middle, ends[1]]), np.stack([between, sets[at + 1]]))
         step[at], unsure[at] = low[0][0], low[1][0]
-        step, unsure = (np.insert(part, at + 1, new[0], axis=0) for part, new in zip((step, unsure), high, strict=True))
+        step, unsure = (
+            np.insert(part, at + 1, new[0], axis=0) for part, new in zip((step, unsure), high, strict=True)
+        )
         path, given = np.insert(path, at + 1, middle), np.insert(given, at + 1, False)
         sets = np.insert(sets, at + 1, between, axis=0)
     return np.take_along_axis(sets, in_order(step), axis=1)[given]

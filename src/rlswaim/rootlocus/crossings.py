@@ -100,7 +100,7 @@ def _without_mirrored(border: _Border) -> tuple[NDArray, NDArray]:
 
 
 def _frequencies(border: _Border) -> list[tuple[float, float]]:
-    """Return frequencies omega >= 0 at which G is real, with the phase's slope; infinity too if it counts."""
+    """Return the frequencies from 0 up at which G is real, with the phase's slope there."""
     x, w = _without_mirrored(border)
     if x.size == 0:
         return []
@@ -134,15 +134,17 @@ def _crossing(loop: OpenLoop, border: _Border, omega: float, slope: float) -> Cr
     relative = (np.abs(weights / distance) * errors).sum()
     if not np.isfinite(gain) or relative + _moved(border, omega, slope) >= 1:
         return None
-    return Crossing(float(gain), float(angle if loop.discrete else omega), int(-np.sign(gain) * np.sign(slope)))
+    return Crossing(
+        float(gain), float(angle if loop.discrete else omega), int(-np.sign(gain) * np.sign(slope))
+    )
 
 
 def _moved(border: _Border, omega: float, slope: float) -> float:
     """Return the relative change of gain or frequency by rounding of the data; infinity if all is open."""
     x, weights, errors, *_ = border
-    if omega == np.inf:
-        x, weights, errors = (part[x != 0] for part in (x, weights, errors))
-        x, errors, omega = -1 / x, errors / np.abs(x) ** 2, 0.0
+    if omega == np.inf:  # the phase is known there, its slope by 1/omega is the sum of weights times Re x
+        open_slope = (np.abs(weights) * (errors + ROUND * x.size * EPS * np.abs(x.real))).sum()
+        return 0.0 if open_slope < abs(slope) else np.inf
     distance = 1j * omega - x
     inverse = np.abs(weights / distance)
     turned = (inverse * errors).sum()

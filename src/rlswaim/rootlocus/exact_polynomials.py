@@ -85,7 +85,7 @@ def exact_transfer(A: NDArray, B: NDArray, C: NDArray) -> tuple[Exact, Exact]:
 
 
 def exact_characteristic_polynomial(A: NDArray) -> list[Fraction]:
-    """Return the coefficients of det(sI - ``A``), a matrix of floats, without rounding, constant term first."""
+    """Return the coefficients of det(sI - ``A``) without rounding, constant term first."""
     n = len(A)
     _, polynomial = exact_transfer(np.asarray(A, float), np.zeros((n, 1)), np.zeros((1, n)))
     return [Fraction(c, 1 << polynomial.exponent) for c in polynomial.integers]
@@ -143,6 +143,7 @@ def refined_roots(polynomial: Exact, guess: NDArray) -> NDArray:
 
     def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray]:
         found = [_slope(polynomial, complex(z)) for z in s[:, 0]]
-        return tuple(np.array(part)[:, None] for part in zip(*found, strict=True))
+        slope, near = (np.array(part)[:, None] for part in zip(*found, strict=True))
+        return slope, near
 
     return real_and_conjugate(aberth(slopes, guess[:, None], steps=12).values[:, 0])

@@ -51,7 +51,7 @@ class RootLocus:
 
     @property
     def discrete(self) -> bool:
-        """Whether the roots are in z, stable within the unit circle; otherwise in s, stable left of the axis."""
+        """Whether the roots are in z, stable within the unit circle; if not, in s, stable left of the axis."""
         return self.loop is not None and self.loop.discrete
 
     @property
@@ -63,7 +63,7 @@ class RootLocus:
     def stable(self) -> NDArray:
         """Whether all roots are within the unit circle, or left of the imaginary axis, shape (K,)."""
         inside = np.abs(self.roots) < 1 if self.discrete else self.roots.real < 0
-        return inside.all(axis=1)
+        return np.asarray(inside.all(axis=1))
 
     @cached_property
     def condition(self) -> NDArray:
@@ -115,7 +115,19 @@ def _relative_condition(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDAr
 
 
 def _leaves(locus: "RootLocus", loop: OpenLoop, start: int) -> NDArray:
-    """Return for each column of a ``locus`` the open-loop pole that its branch leaves from, by the set at ``start``."""
+    """Return for each column of a locus the open-loop pole that its branch leaves from.
+
+    Parameters
+    ----------
+    locus : RootLocus
+    loop : OpenLoop
+    start : int
+        Which root set the way to the gain 0 starts from.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+    """
     gain = locus.gains[start]
     if gain == 0:
         return locus.roots[start]
@@ -179,7 +191,7 @@ def root_locus(
     limit = checks.positive("tolerance", tolerance, "root_locus")
     closed, breaks, crosses = ClosedLoop(loop), break_aways(loop), crossings(loop)
     if gains is None:
-        marks = sign * np.array([mark.gain for mark in (*breaks, *crosses)])
+        marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crosses])
         if loop.D:  # a root passes through infinity: go close on either side
             lost = -sign / loop.D
             near = lost * (1 + np.array([-1e-7, 1e-7]))
@@ -195,7 +207,7 @@ def root_locus(
 
 
 def _checked_axes(axes: Axes) -> Axes:
-    """Return left, right, bottom and top if they are a picture's ``axes``; ValueError or TypeError otherwise."""
+    """Return left, right, bottom and top if they are a picture's ``axes``; raise an error otherwise."""
     sides = checks.frozen_array("axes", axes, "root_locus", shape=(4,))
     left, right, bottom, top = sides.tolist()
     if left >= right or bottom >= top:

@@ -21,7 +21,7 @@ WHERE = "root_locus"
 
 
 class Places(NamedTuple):
-    """Distinct poles and zeros (P,): how often each counts, zeros +, poles -, and how far rounding moves it."""
+    """Distinct poles and zeros (P,), their counts (zeros +, poles -), and how far rounding moves each."""
 
     points: NDArray
     weights: NDArray
@@ -41,7 +41,6 @@ class OpenLoop:
     numerator: NDArray
     denominator: NDArray
     dt: float | bool | None = 0
-    factors_given: bool = False
 
     @property
     def poles(self) -> NDArray:
@@ -56,7 +55,7 @@ class OpenLoop:
     @property
     def discrete(self) -> bool:
         """Whether the roots are in z, stable within the unit circle."""
-        return self.dt is True or bool(self.dt)
+        return bool(self.dt)
 
     @property
     def D(self) -> float:
@@ -91,7 +90,8 @@ class OpenLoop:
         (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
         common_poles, common_zeros = self._common
         parts = []
-        for kind, x, errors, common in ((-1, poles, pole_errors, common_poles), (1, zeros, zero_errors, common_zeros)):
+        both = (-1, poles, pole_errors, common_poles), (1, zeros, zero_errors, common_zeros)
+        for kind, x, errors, common in both:
             points, first, counts = np.unique(x[~common], return_index=True, return_counts=True)
             parts.append((points, kind * counts, errors[~common][first]))
         return Places(*(np.concatenate(part) for part in zip(*parts, strict=True)))
@@ -104,7 +104,7 @@ class OpenLoop:
         return D + kN, np.abs(D) + np.abs(kN)
 
     def refuse_infinite(self, gains: NDArray) -> None:
-        """Raise a ValueError if one of the ``gains`` (K,) sends a root to infinity, or beyond what floats hold."""
+        """Raise a ValueError if one of the ``gains`` sends a root to infinity, or beyond what floats hold."""
         if (np.abs(1 + gains * self.D) <= EPS).any():
             raise ValueError(
                 f"{WHERE}: got the gain {-1 / self.D:g} = -1/D, at which a root is at infinity; "
@@ -138,12 +138,13 @@ def open_loop(system: System) -> OpenLoop:
         return _from_factors(system.zeros, system.poles, system.gain, system.dt or 0)
     if isinstance(system, (tuple, list)):
         if len(system) == 3 and all(np.ndim(part) == d for part, d in zip(system, (1, 1, 0), strict=True)):
-            return _from_factors(*system, 0)
+            zeros, poles, gain = system
+            return _from_factors(zeros, poles, gain, 0)
         system = _from_arrays(system)
     if not isinstance(system, (control.StateSpace, control.TransferFunction)):
         raise TypeError(
-            f"{WHERE}: got {type(system).__name__}, wanted a StateSpace, a TransferFunction, a ZerosPolesGain, "
-            "arrays (A, B, C) or factors (zeros, poles, gain)"
+            f"{WHERE}: got {type(system).__name__}, wanted a StateSpace, a TransferFunction, "
+            "a ZerosPolesGain, arrays (A, B, C) or factors (zeros, poles, gain)"
         )
     if (system.ninputs, system.noutputs) != (1, 1):
         raise ValueError(
@@ -196,13 +197,13 @@ def _from_state_space(system: control.StateSpace) -> OpenLoop:
 
 
 def _from_factors(zeros: ArrayLike, poles: ArrayLike, gain: object, dt: float | bool) -> OpenLoop:
-    points = [_factor_points(name, x) for name, x in (("zeros", zeros), ("poles", poles))]
-    _refuse_order(points[0].values.size, points[1].values.size)
+    zero_points, pole_points = _factor_points("zeros", zeros), _factor_points("poles", poles)
+    _refuse_order(zero_points.values.size, pole_points.values.size)
     size = checks.real("gain", gain, WHERE)
     if size == 0:
         raise ValueError(f"gain in {WHERE}: got 0, wanted a transfer function that is not zero")
-    N, D = (np.atleast_1d(np.poly(part.values)).real[::-1] for part in points)
-    return OpenLoop(*points, size, size * N, D, dt, factors_given=True)
+    N, D = (np.atleast_1d(np.poly(part.values)).real[::-1] for part in (zero_points, pole_points))
+    return OpenLoop(zero_points, pole_points, size, size * N, D, dt)
 
 
 def _factor_points(name: str, given: ArrayLike) -> Points:

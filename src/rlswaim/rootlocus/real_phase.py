@@ -1,4 +1,4 @@
-"""Frequencies at which a real rational function is real on the imaginary axis: all of them, with certainty."""
+"""All frequencies at which a real rational function is real on the imaginary axis."""
 
 from typing import NamedTuple
 
@@ -22,7 +22,7 @@ class Phase(NamedTuple):
     offset: float
 
     def terms(self, omega: NDArray) -> NDArray:
-        """Return each place's part of the phase at ``omega`` (M,), shape (P, M); it rises or falls throughout."""
+        """Return each place's part of the phase at ``omega`` (M,), shape (P, M); each rises or falls."""
         return -self.weights[:, None] * np.arctan((omega - self.imag[:, None]) / self.real[:, None])
 
     def slope(self, omega: NDArray) -> NDArray:
@@ -65,11 +65,11 @@ def real_frequencies(phase: Phase, top: float) -> NDArray:
         if not low.size:
             break
         slowest, fastest = phase.slope_bounds(low, high)
-        ends = (phase.offset + phase.terms(low).sum(axis=0), phase.offset + phase.terms(high).sum(axis=0))
-        count = np.abs(np.floor(ends[1] / np.pi) - np.floor(ends[0] / np.pi))
+        turns = [np.floor((phase.offset + phase.terms(end).sum(axis=0)) / np.pi) for end in (low, high)]
         one_way = (slowest > 0) | (fastest < 0)
-        settled = one_way & (count <= 1)
-        brackets.append((low[settled & (count == 1)], high[settled & (count == 1)]))
+        settled = one_way & (np.abs(turns[1] - turns[0]) <= 1)
+        passed = settled & (turns[0] != turns[1])
+        brackets.append((low[passed], high[passed], np.pi * np.maximum(*turns)[passed], slowest[passed] > 0))
         low, high = low[~settled], high[~settled]
         middle = (low + high) / 2
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
@@ -91,12 +91,23 @@ def _possible(phase: Phase, low: NDArray, high: NDArray) -> tuple[NDArray, NDArr
     return low[keep], high[keep]
 
 
-def _bracketed(phase: Phase, low: NDArray, high: NDArray) -> NDArray:
-    """Return the one root between each ``low`` and ``high``: Newton's steps, or halves where these lead out."""
-    at_low = phase.offset + phase.terms(low).sum(axis=0)
-    at_high = phase.offset + phase.terms(high).sum(axis=0)
-    target = np.pi * np.maximum(np.floor(at_low / np.pi), np.floor(at_high / np.pi))
-    rising, omega = at_high > at_low, (low + high) / 2
+def _bracketed(phase: Phase, low: NDArray, high: NDArray, target: NDArray, rising: NDArray) -> NDArray:
+    """Return where the phase is a multiple of pi, by Newton's steps, or by halves where these lead out.
+
+    Parameters
+    ----------
+    phase : Phase
+    low, high : ndarray, shape (M,)
+        Ends of intervals in which the phase only rises or only falls.
+    target : ndarray, shape (M,)
+        The multiple of pi that is passed in each.
+    rising : ndarray of bool, shape (M,)
+
+    Returns
+    -------
+    ndarray, shape (M,)
+    """
+    omega = (low + high) / 2
     for _ in range(80):
         value = phase.offset + phase.terms(omega).sum(axis=0) - target
         beyond = (value > 0) == rising

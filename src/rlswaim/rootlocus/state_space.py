@@ -66,8 +66,8 @@ def _zeros(A: NDArray, B: NDArray, C: NDArray, D: NDArray, count: int) -> Points
     if count == 0:
         return Points(np.zeros(0, complex), np.zeros(0))
     balanced, (scale, _) = matrix_balance(A, permute=False, separate=True)
-    B, C, size = B / scale[:, None], C * scale, max(np.linalg.norm(balanced), 1e-300)
-    b, c = (size / max(np.linalg.norm(part), 1e-300) for part in (B, C))
+    B, C, size = B / scale[:, None], C * scale, max(float(np.linalg.norm(balanced)), 1e-300)
+    b, c = (size / max(float(np.linalg.norm(part)), 1e-300) for part in (B, C))
     matrix = np.block([[balanced, b * B], [c * C, b * c * D]])
     moving = np.diag(np.append(np.ones(len(A)), 0.0))
     with np.errstate(all="ignore"):
