@@ -15,7 +15,7 @@ from rlswaim.rootlocus.polynomials import horner, roots
 EPS = float(np.finfo(float).eps)
 NEAR = 0.03
 """Repeated roots spread at most so far, relative to their size, when their coefficients are rounded."""
-ILL = 300.0
+ILL = 3e3
 """From this condition on roots are refined on exact integers."""
 
 
