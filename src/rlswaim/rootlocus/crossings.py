@@ -88,7 +88,7 @@ def _on_axis(loop: OpenLoop) -> _Border:
 
 
 def _without_mirrored(border: _Border) -> tuple[NDArray, NDArray]:
-    """Return places off the axis and their weights, without those whose phases cancel: x and -conj(x) alike."""
+    """Return places off the axis and their weights, without pairs x, -conj(x): their phases cancel."""
     x, errors = border.points[~border.on_it], border.errors[~border.on_it]
     w = border.weights[~border.on_it].astype(float)
     near = np.abs(x[:, None] + x.conj()) <= SURE * (errors[:, None] + errors)

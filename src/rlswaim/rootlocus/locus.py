@@ -33,9 +33,10 @@ class RootLocus:
     gains : ndarray, shape (K,)
         The running parameter.
     roots : ndarray of complex, shape (K, n)
-        Closed-loop roots (1/s); column j is one continuous branch.
+        Closed-loop roots (1/s; in z without unit); column j is one continuous branch, however
+        coarse the gains.  Roots that stand still are the last columns.
     poles, zeros : ndarray of complex
-        Open-loop poles and zeros (1/s); empty for a locus in another parameter than the loop gain.
+        Open-loop poles and zeros, common ones too; empty for a locus in another parameter than the gain.
     break_aways : tuple of BreakAway
     crossings : tuple of Crossing
     """
@@ -51,7 +52,7 @@ class RootLocus:
 
     @property
     def discrete(self) -> bool:
-        """Whether the roots are in z, stable within the unit circle; if not, in s, stable left of the axis."""
+        """Whether the roots are in z, stable within the unit circle; else in s, stable left of the axis."""
         return self.loop is not None and self.loop.discrete
 
     @property
@@ -155,8 +156,10 @@ def root_locus(
 
     Parameters
     ----------
-    system : StateSpace, TransferFunction or (A, B, C)
-        The open loop G, single input and output, proper.
+    system : StateSpace, TransferFunction, ZerosPolesGain, (A, B, C) or (zeros, poles, gain)
+        The open loop G, single input and output, proper.  Continuous or discrete as its ``dt`` says.
+        Factors are given as scipy.signal.ZerosPolesGain or as three: then repeated poles stay exact.
+        python-control's own ``zpk`` multiplies them out.
     gains : array_like, shape (K,), optional
         Gains of either sign, in the order wanted.  Without them gains of one sign
         are chosen so that the polyline of each branch stays within ``tolerance`` of
@@ -175,14 +178,19 @@ def root_locus(
     Raises
     ------
     TypeError
-        If the system is no LTI system, or the gains are no real numbers.
+        If the system is no LTI system, or not real, or the gains are no real numbers.
     ValueError
-        If the system is not single-input, single-output and proper, or has no poles, or a number is
-        not finite, or a gain sends a root to infinity.
+        If the system is not single-input, single-output and proper, or has no poles, or is zero, or a
+        number is not finite, or a gain sends a root to infinity, or sign or axes are none.
 
     Notes
     -----
-    A discrete system's roots are in z; ``crossings`` are those of the imaginary axis all the same.
+    Poles and zeros of a state space are eigenvalues, those of a transfer function are roots of its
+    polynomials; equal ones but for rounding are one repeated pole or zero.  All else follows from zeros,
+    poles and gain.  A factor common to both, but for rounding, is a root that stands still.  A discrete
+    system's roots are in z, and its crossings are those of the unit circle.  A branch that leaves from a
+    pole on the border of stability does not cross it.  An improper loop is refused: the roots of
+    1 + k G = 0 are those of 1 + (1/k) (1/G) = 0, so give 1/G.
     """
     loop = open_loop(system)
     if sign not in (1, -1) or isinstance(sign, bool):

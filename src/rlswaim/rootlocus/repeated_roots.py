@@ -16,7 +16,7 @@ EPS = float(np.finfo(float).eps)
 NEAR = 0.03
 """Repeated roots spread at most so far, relative to their size, when their coefficients are rounded."""
 ILL = 3e3
-"""From this condition on roots are refined on exact integers."""
+"""Roots are refined on exact integers if rounding moves one by more than so many times its own rounding."""
 
 
 class Points(NamedTuple):
@@ -35,9 +35,11 @@ def points_of_polynomial(coefficients: NDArray) -> Points:
     at_origin = int(np.flatnonzero(coefficients)[0])
     p = coefficients[at_origin:]
     found = roots(p)
-    if (_condition(p, found) > ILL).any():
+    errors = _moved_by_rounding(p, found)
+    if (errors > ILL * EPS / 2 * np.abs(found)).any():
         found = refined_roots(exact(p), found)
-    values, errors = found.copy(), _moved_by_rounding(p, found)
+        errors = _moved_by_rounding(p, found)
+    values = found.copy()
     for group, center in _repeated_groups(p, found):
         values[group] = center
         errors[group] = _moved_by_rounding(_taylor(p, len(group) - 1), np.array([center]))
@@ -81,12 +83,6 @@ def linked(points: NDArray, reach: NDArray) -> list[list[int]]:
     count, label = connected_components(near)
     groups = [np.flatnonzero(label == i).tolist() for i in range(count)]
     return [group for group in groups if len(group) > 1]
-
-
-def _condition(p: NDArray, s: NDArray) -> NDArray:
-    """Return the relative change of roots ``s`` per relative change of the coefficients ``p``."""
-    with np.errstate(divide="ignore"):
-        return _moved_by_rounding(p, s) / (EPS / 2 * np.abs(s))
 
 
 def _moved_by_rounding(p: NDArray, s: NDArray) -> NDArray:
