@@ -84,7 +84,7 @@ def starting_points(coefficients: NDArray) -> NDArray:
 
 
 def real_and_conjugate(values: NDArray) -> NDArray:
-    """Return roots (n,) of a real function as exact conjugate pairs and exactly real ones.
+    """Return ``values`` (n,), roots of a real function, as exact conjugate pairs and exactly real ones.
 
     Each root is paired with the conjugate of one, itself allowed, so that the total distance is least.
     """

@@ -36,7 +36,7 @@ def match_roots(before: NDArray, after: NDArray, turns: NDArray | None = None) -
 def in_order(successors: NDArray) -> NDArray:
     """Return for each set the order of its roots in which each column is one branch.
 
-    The argument, shape (K - 1, n), tells each root's successor in the next set; the result is (K, n).
+    The ``successors``, shape (K - 1, n), tell each root's place in the next set; the result is (K, n).
     """
     n = successors.shape[1]
     current, start = np.arange(n, dtype=np.intp), 0

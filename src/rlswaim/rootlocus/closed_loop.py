@@ -62,7 +62,17 @@ class ClosedLoop:
         return _Values(D, self.gain * N, inverse[:a].sum(axis=0), inverse[a:].sum(axis=0))
 
     def tangents(self, gains: NDArray, roots: NDArray) -> tuple[NDArray, NDArray]:
-        """Return ds/dk = -N / (D' + k N') at ``roots`` (K, n), and where it is known: at no double root."""
+        """Return ds/dk = -N / (D' + k N') at roots, and where it is known: at no double root.
+
+        Parameters
+        ----------
+        gains : ndarray, shape (K,)
+        roots : ndarray of complex, shape (K, n)
+
+        Returns
+        -------
+        tuple of ndarray, both of shape (K, n)
+        """
         D, N, D_slope, N_slope = self.values(roots.T / self.size)
         with np.errstate(all="ignore"):
             derivative = D * D_slope + gains * N * N_slope
@@ -99,7 +109,7 @@ class ClosedLoop:
         return np.stack([starting_points(D + gain * N) for gain in gains], axis=1)
 
     def eigenvalues(self, gains: NDArray) -> NDArray:
-        """Return approximate scaled roots (n, K) as eigenvalues of real matrices, one for each gain.
+        """Return approximate scaled roots (n, K) as eigenvalues of a real matrix for each of the ``gains``.
 
         With nodes x_i, where D + k N is v_i times the product of x_i - x_j over the others, the roots are
         the eigenvalues of diag(x) - 1 v^T.  The nodes are the poles; those of a repeated pole
