@@ -13,23 +13,31 @@ run on one machine. The ratios carry over to other machines, the times do not. `
 again and writes this page.
 
 Machine: {machine}. Python {python}, rlswaim {rlswaim}, python-control {control}, numpy {numpy},
-scipy {scipy}, numba {numba}.
+scipy {scipy}.
 Each figure is a median; BLAS has one thread.
 """
 LOCI = """
 ## Root loci
 
-Numba is an optional extra, `pip install rlswaim[fast]`: where it is installed, loci are followed by compiled
-code, with the same roots to 1e-10. Both ways are timed, numba after a first call, which once on a machine
-compiles for some 20 s. The ratios are python-control's time over ours.
+The ratios are python-control's time over ours. Nothing is compiled: an earlier form with numba followed a
+picture's branches in some .5 to 1 ms in place of some 3 to 10 ms, after .4 s at the start of each process
+and 10 s on a machine's first call.
 
 With given gains all solve the same ones. For "picture" each chooses its own, their number is in
 parentheses: ours lie within a quarter pixel of the exact curve, which the tests check, and control's
 default does not. For "quarter pixel" control gets evenly spaced gains (in ln k, over the same span),
 twice as many each time until its polyline is as true, or 8192.
 
-| work | ours, numpy (ms) | ours, numba (ms) | python-control (ms) | ratio, numpy | ratio, numba |
-|---|---:|---:|---:|---:|---:|
+| work | ours (ms) | python-control (ms) | ratio |
+|---|---:|---:|---:|
+"""
+GROWTH = """
+## Order and number of gains
+
+Random loops, with gains chosen for a picture (their number is in parentheses) and with given gains.
+
+| order | picture (ms) | 100 gains (ms) | 1000 gains (ms) |
+|---:|---:|---:|---:|
 """
 MAP = """
 ## Station map
@@ -69,12 +77,14 @@ def median(run):
 
 def locus_row(group, runs):
     by_who = {run["name"]: run for run in runs}
-    ours_and_control = [by_who[who] for who in ("numpy", "numba", "control")]
-    sizes = [f" ({run['extra_info']['gains']})" if "gains" in run["extra_info"] else "" for run in runs]
-    sizes = dict(zip(by_who, sizes, strict=True))
-    times = [f"{1e3 * median(run):.2f}{sizes[run['name']]}" for run in ours_and_control]
-    ratios = [f"{median(by_who['control']) / median(run):.1f}" for run in ours_and_control[:2]]
-    return f"| {group} | {' | '.join([*times, *ratios])} |"
+    ours, control = (by_who[who] for who in ("rlswaim", "control"))
+    return f"| {group} | {time(ours)} | {time(control)} | {median(control) / median(ours):.1f} |"
+
+
+def time(run):
+    """Return a run's time (ms), and the number of its gains where it tells them."""
+    size = f" ({run['extra_info']['gains']})" if "gains" in run["extra_info"] else ""
+    return f"{1e3 * median(run):.2f}{size}"
 
 
 def map_row(run):
@@ -84,8 +94,18 @@ def map_row(run):
 
 
 def loci(groups):
-    rows = [locus_row(n, runs) for n, runs in groups.items() if not n.startswith(("station map", "live"))]
+    others = "station map", "live", "growth"
+    rows = [locus_row(n, runs) for n, runs in groups.items() if not n.startswith(others)]
     return LOCI + "\n".join(rows) + "\n"
+
+
+def growth(groups):
+    by_name = {run["name"]: run for run in groups["growth"]}
+    rows = []
+    for order in sorted({int(name.split()[0]) for name in by_name}):
+        picture, few, many = (by_name[f"{order} {count}"] for count in ("picture", 100, 1000))
+        rows.append(f"| {order} | {time(picture)} | {1e3 * median(few):.2f} | {1e3 * median(many):.2f} |")
+    return GROWTH + "\n".join(rows) + "\n"
 
 
 def maps(groups):
@@ -129,7 +149,7 @@ def end(groups):
     return END
 
 
-SECTIONS = [loci, maps, live, end]
+SECTIONS = [loci, growth, maps, live, end]
 """What the page shows below its head: each is called with the runs by group and returns Markdown."""
 
 
@@ -139,7 +159,7 @@ def page(data):
     about = data["machine_info"]
     cpu = about["cpu"].get("brand_raw", "unknown processor")
     machine = f"{cpu}, {about['cpu']['count']} cores, {about['system']}"
-    versions = {name: version(name) for name in ("rlswaim", "control", "numpy", "scipy", "numba")}
+    versions = {name: version(name) for name in ("rlswaim", "control", "numpy", "scipy")}
     head = HEAD.format(machine=machine, python=about["python_version"], **versions)
     return head + "".join(section(groups) for section in SECTIONS)
 

@@ -1,6 +1,6 @@
 """Times of root loci, redraws and station maps, each beside what people use now, in one run.
 
-Groups of pytest-benchmark: in each, ours with "numpy", ours with "numba" and "control" do the same work.
+Groups of pytest-benchmark: in each, "rlswaim" and "control" do the same work.
 """
 
 import tracemalloc
@@ -12,26 +12,17 @@ import pytest
 from matplotlib.figure import Figure
 
 import rlswaim as rl
-from cases import loops
+from cases import loops, random_loop
 from exact import off_the_polyline
 from redraw import LocusPicture
 from rlswaim.edition.printed_closures import final_design
 from rlswaim.loops.station_maps import station_map
-from rlswaim.rootlocus import fast
 from rlswaim.rootlocus.adaptive_gains import default_axes
 from rlswaim.rootlocus.open_loop import open_loop
 
 matplotlib.use("agg")
 LOOPS = loops()
-WHO = ["numpy", "numba", "control"]
-
-
-@pytest.fixture(autouse=True)
-def way(request, monkeypatch):
-    """Ours with numpy alone and with numba: one switch.  A warm-up round does what compiling there is."""
-    who = request.node.callspec.params.get("who", "numba")
-    monkeypatch.setattr(fast, "ENABLED", who == "numba")
-    assert (fast.compiled() is not None) == (who == "numba")
+WHO = ["rlswaim", "control"]
 
 
 def timed(benchmark, group, who, work, rounds=9):
@@ -116,6 +107,17 @@ def test_redraw(benchmark, who):
         who,
         (lambda: picture.update(rl.root_locus(loop))) if picture else usual,
     )
+
+
+@pytest.mark.parametrize("order", [5, 10, 20, 30])
+@pytest.mark.parametrize("count", [None, 100, 1000], ids=["picture", "100", "1000"])
+def test_growth(benchmark, order, count):
+    """What a locus costs against its order and the number of its gains."""
+    loop = random_loop(order)
+    gains = None if count is None else np.logspace(-3, 3, count)
+    name = f"{order} {'picture' if count is None else count}"
+    found = timed(benchmark, "growth", name, lambda: rl.root_locus(loop, gains), rounds=3)
+    benchmark.extra_info["gains"] = len(found.gains)
 
 
 @pytest.mark.parametrize("side", [106, 211, 421])

@@ -13,7 +13,7 @@ from playwright.sync_api import Locator, Page
 import rlswaim as rl
 from exact import exact_roots, paired
 from rlswaim import explorers
-from rlswaim.rootlocus.polynomials import characteristic_polynomial
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
 from rlswaim.vehicle import trajectory
 
 SCREENSHOTS = Path(__file__).parent.parent / "screenshots"

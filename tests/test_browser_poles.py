@@ -25,7 +25,7 @@ from browser_maths import (
     sizes,
     states,
 )
-from rlswaim.rootlocus.polynomials import exact_characteristic_polynomial
+from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial
 
 EPS = np.finfo(float).eps
 

@@ -10,7 +10,7 @@ from browser_maths import EQS, EQUATIONS, forms, sections, sizes
 from rlswaim.explorers.system_views import VIEWS
 from rlswaim.loops.given_shapes import with_shapes
 from rlswaim.loops.multiaffine import multiaffine_forms
-from rlswaim.rootlocus.polynomials import characteristic_polynomial
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
 
 
 def random_factors(section: str, seed: int) -> dict[str, float]:

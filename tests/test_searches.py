@@ -14,7 +14,8 @@ from rlswaim.loops import certificates, closed_loops, rigid_body_design
 from rlswaim.loops.closed_loops import LOOPS
 from rlswaim.loops.control_systems import RATE_ATTITUDE
 from rlswaim.loops.rigid_body_design import WANTED
-from rlswaim.rootlocus.polynomials import exact_characteristic_polynomial, roots
+from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial
+from rlswaim.rootlocus.polynomials import roots
 from systems import polynomial_at
 
 EQS = rl.printed_equations()

@@ -9,7 +9,7 @@ import rlswaim as rl
 from rlswaim import explorers
 from rlswaim.explorers import station_map
 from rlswaim.loops.control_systems import DUAL_ACTUATION
-from rlswaim.rootlocus.polynomials import characteristic_polynomial
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
 from small_views import MAKERS, MODEL, PRINTED, opened, random_states, show, view_of
 
 

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rlswaim.figures.loci import draw_poles, draw_root_locus
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
 from rlswaim.rootlocus.locus import root_locus
-from rlswaim.rootlocus.polynomials import characteristic_polynomial
 
 Drawing = Callable[[Axes], object]
 

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.rootlocus.branches import continuous_branches
-from rlswaim.rootlocus.continuation import compiled, inserted, joined, moving, norms, polished, solve
+from rlswaim.rootlocus.closed_loop import ClosedLoop
+from rlswaim.rootlocus.continuation import connected, inserted, passes_infinity
 from rlswaim.rootlocus.open_loop import OpenLoop
-from rlswaim.rootlocus.polynomials import horner
 
 SCREEN = (800, 600)
 """Size (pixels) of the picture for which gains are chosen."""
@@ -21,8 +21,11 @@ Axes: TypeAlias = tuple[float, float, float, float]
 
 
 def default_axes(loop: OpenLoop) -> Axes:
-    """Return left, right, bottom, top (1/s) of a picture that shows all poles and zeros with some room."""
-    points = np.concatenate([loop.poles, loop.zeros, [0.0]])
+    """Return left, right, bottom, top (1/s) of a picture that shows all poles and zeros with some room.
+
+    In discrete time it shows the unit circle too.
+    """
+    points = np.concatenate([loop.poles, loop.zeros, [1.0, 1j, -1.0] if loop.discrete else [0.0]])
     left, right = points.real.min(), points.real.max()
     top = np.abs(points.imag).max()
     size = max(right - left, 2 * top, 1e-3)
@@ -37,29 +40,26 @@ def _in_view(values: NDArray, axes: Axes) -> NDArray:
     return near & (np.abs(values.imag - y) < 0.55 * (axes[3] - axes[2]))
 
 
-def _deviation(loop: OpenLoop, gains: NDArray, values: NDArray, axes: Axes) -> NDArray:
+def _deviation(closed: ClosedLoop, gains: NDArray, values: NDArray, axes: Axes) -> NDArray:
     """Return how far (pixels) the curve strays from its chord between neighbors, worst branch in view.
 
     A cubic with slopes a, b against its chord strays at most 4/27 (|a| + |b|) times the chord.
-    The tangent is ds/dk = -N/p'; at a double root, where p' = 0, the slope of the other end serves.
+    At a double root, which has no tangent, the slope of the other end serves.
     """
     scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
-    polynomials, sizes = loop.polynomials(gains)
-    _, slope, terms = horner(polynomials, values.T, sizes)
-    known = (np.abs(slope * values.T) > 1e-6 * terms).T
+    tangent, known = closed.tangents(gains, values)
+    tangent, chord = (
+        scale[0] * part.real + 1j * scale[1] * part.imag
+        for part in (np.sign(gains[-1]) * tangent, np.diff(values, axis=0))
+    )
     with np.errstate(divide="ignore", invalid="ignore"):
-        tangent = -np.sign(gains[-1]) * horner(loop.numerator, values)[0] / slope.T
-    tangent = scale[0] * tangent.real + 1j * scale[1] * tangent.imag
-    chord = np.diff(values, axis=0)
-    chord = scale[0] * chord.real + 1j * scale[1] * chord.imag
-    turned = [t * chord.conj() for t in (tangent[:-1], tangent[1:])]
-    with np.errstate(divide="ignore", invalid="ignore"):
+        turned = [t * chord.conj() for t in (tangent[:-1], tangent[1:])]
         steep = [np.where(t.real > 0, np.minimum(np.abs(t.imag) / t.real, 10), 10) for t in turned]
     left = np.where(known[:-1], steep[0], steep[1])
     right = np.where(known[1:], steep[1], steep[0])
-    seen = _in_view(values[:-1], axes) | _in_view(values[1:], axes)
-    stray = 4 / 27 * (left + right) * np.abs(chord)
-    return np.where(seen & (known[:-1] | known[1:]), stray, 0.0).max(axis=1, initial=0.0)
+    near = _in_view(values, axes)
+    seen = (near[:-1] | near[1:]) & (known[:-1] | known[1:])
+    return np.where(seen, 4 / 27 * (left + right) * np.abs(chord), 0.0).max(axis=1, initial=0.0)
 
 
 def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray:
@@ -71,74 +71,44 @@ def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray
 
 
 def picture(
-    loop: OpenLoop, marks: NDArray, axes: Axes, tolerance: float, sign: int
+    closed: ClosedLoop, marks: NDArray, axes: Axes, tolerance: float, sign: int
 ) -> tuple[NDArray, NDArray]:
-    """Return gains of one ``sign``, ``marks`` among them, and branches true to the curve on ``axes``.
+    """Return gains and branches of the moving roots, true to the curve.
 
-    The ``tolerance`` is in pixels, on a picture of 800 by 600.
+    Parameters
+    ----------
+    closed : ClosedLoop
+    marks : ndarray
+        Gains that shall be among those returned, as sizes.
+    axes : tuple of float
+        Left, right, bottom and top (1/s).
+    tolerance : float
+        Largest distance from the curve (pixels, on a picture of 800 by 600).
+    sign : int
+        1 or -1: that of the gains.
+
+    Returns
+    -------
+    tuple of ndarray, shapes (K,) and (K, n)
     """
-    if not loop.numerator.any():  # nothing moves
-        gains = np.array([0.0, sign])
-        return gains, solve(loop, gains)
-    lead = np.abs(loop.denominator).max() / max(np.abs(loop.numerator).max(), 1e-300)
-    first = np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
-    loop.refuse_infinite(sign * first)
-    parts = loop, first, axes, tolerance, sign, lead * DECADES[0]
-    gains, values = _compiled(*parts) or _refined(*parts)
-    return sign * gains, values
-
-
-def _compiled(
-    loop: OpenLoop, first: NDArray, axes: Axes, tolerance: float, sign: int, offset: float
-) -> tuple[NDArray, NDArray] | None:
-    """Return what `_refined` does, compiled; None where that can't be, or is not to be trusted."""
-    module = compiled(loop)
-    if module is None:
-        return None
-    (N, D), lost = moving(loop), -sign / loop.D if loop.D else np.nan
-    scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
-    view = np.array([*axes, *scale, tolerance, lost])
-    falling = np.array(first[::-1])
-    states, trusted = module.picture(sign * N, D, falling, norms(loop), view, offset, MOST)
-    values = joined(loop, states, trusted, sign)
-    return None if values is None else (states[:, 4, 0], values)
-
-
-def _refined(
-    loop: OpenLoop, first: NDArray, axes: Axes, tolerance: float, sign: int, offset: float
-) -> tuple[NDArray, NDArray]:
-    """Return gains >= 0, the first ones among them, and branches true to the curve within the tolerance."""
-    start = polished(loop, sign * first, loop.eigenvalues(sign * first))
-    gains, values = first, continuous_branches(start)
+    loop = closed.loop
+    if closed.order == 0:  # nothing moves
+        return np.array([0.0, sign]), np.zeros((2, 0), complex)
+    lead = np.abs(loop.denominator).max() / np.abs(loop.numerator).max()
+    gains = sign * np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
+    loop.refuse_infinite(gains)
+    values, offset = continuous_branches(closed.roots(gains)), lead * DECADES[0]
     while gains.size < MOST:
-        stray = _deviation(loop, sign * gains, values, axes)
-        bad = (
-            (stray > tolerance) & ~_through_infinity(loop, sign * gains) & (np.diff(gains) > 1e-9 * gains[1:])
-        )
+        stray = _deviation(closed, gains, values, axes)
+        narrow = np.abs(np.diff(gains)) <= 1e-9 * np.abs(gains[1:])
+        bad = (stray > tolerance) & ~passes_infinity(loop, gains) & ~narrow
         if not bad.any():
             break
         # The deviation falls with the square of the step.
         pieces = np.clip(np.ceil(1.25 * np.sqrt(stray[bad] / tolerance)), 2, 12).astype(int)
-        gains, values = _merged(
-            loop, sign, gains, values, _cut(gains[:-1][bad], gains[1:][bad], pieces, offset)
-        )
-    return gains, values
-
-
-def _through_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
-    """Return in which intervals of gains a root passes through infinity: k = -1/D lies there."""
-    side = np.sign(1 + gains * loop.D)
-    return side[:-1] != side[1:]
-
-
-def _merged(
-    loop: OpenLoop, sign: int, gains: NDArray, values: NDArray, more: NDArray
-) -> tuple[NDArray, NDArray]:
-    """Return gains >= 0 and branches with those of some more gains."""
-    if sign > 0:
-        found = inserted(loop, gains, values, more)
-    else:
-        found = inserted(loop, -gains[::-1], values[::-1], -more)
-    order = np.argsort(np.concatenate([gains, more]), kind="stable")
-    branches = continuous_branches(np.concatenate([values, found])[order])
-    return np.concatenate([gains, more])[order], branches
+        more = sign * _cut(np.abs(gains[:-1][bad]), np.abs(gains[1:][bad]), pieces, offset)
+        found = np.concatenate([values, inserted(closed, gains, values, more)])
+        gains = np.concatenate([gains, more])
+        order = np.abs(gains).argsort(kind="stable")
+        gains, values = gains[order], continuous_branches(found[order])
+    return gains, connected(closed, gains, values)

@@ -11,19 +11,15 @@ import control
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eig
+from scipy.optimize import linear_sum_assignment
 
 from rlswaim.rootlocus.adaptive_gains import Axes, default_axes, picture
-from rlswaim.rootlocus.branches import branch_order, continuous_branches
+from rlswaim.rootlocus.branches import branch_order
+from rlswaim.rootlocus.break_aways import BreakAway, break_aways
+from rlswaim.rootlocus.closed_loop import ClosedLoop
 from rlswaim.rootlocus.continuation import solve
-from rlswaim.rootlocus.open_loop import (
-    BreakAway,
-    Crossing,
-    OpenLoop,
-    System,
-    break_aways,
-    crossings,
-    open_loop,
-)
+from rlswaim.rootlocus.crossings import Crossing, crossings
+from rlswaim.rootlocus.open_loop import OpenLoop, System, open_loop
 from rlswaim.rootlocus.polynomials import horner
 from rlswaim.source import checks
 
@@ -37,9 +33,10 @@ class RootLocus:
     gains : ndarray, shape (K,)
         The running parameter.
     roots : ndarray of complex, shape (K, n)
-        Closed-loop roots (1/s); column j is one continuous branch.
+        Closed-loop roots (1/s; in z without unit); column j is one continuous branch, however
+        coarse the gains.  Roots that stand still are the last columns.
     poles, zeros : ndarray of complex
-        Open-loop poles and zeros (1/s); empty for a locus in another parameter than the loop gain.
+        Open-loop poles and zeros, common ones too; empty for a locus in another parameter than the gain.
     break_aways : tuple of BreakAway
     crossings : tuple of Crossing
     """
@@ -52,6 +49,22 @@ class RootLocus:
     crossings: tuple[Crossing, ...] = ()
     loop: OpenLoop | None = None
     sensitivity: NDArray | None = None
+
+    @property
+    def discrete(self) -> bool:
+        """Whether the roots are in z, stable within the unit circle; else in s, stable left of the axis."""
+        return self.loop is not None and self.loop.discrete
+
+    @property
+    def dt(self) -> float | bool | None:
+        """Sampling period (s) of a discrete loop, True where it is not told; 0 or None in continuous time."""
+        return 0 if self.loop is None else self.loop.dt
+
+    @property
+    def stable(self) -> NDArray:
+        """Whether all roots are within the unit circle, or left of the imaginary axis, shape (K,)."""
+        inside = np.abs(self.roots) < 1 if self.discrete else self.roots.real < 0
+        return np.asarray(inside.all(axis=1))
 
     @cached_property
     def condition(self) -> NDArray:
@@ -69,13 +82,22 @@ class RootLocus:
     def labels(self) -> tuple[str, ...]:
         """The open-loop mode that each branch leaves from (a general parameter: the first root), in words."""
         start = int(np.abs(self.gains).argmin())
-        first = self.roots[start]
-        leaves = first if self.loop is None else _leaves(self.loop, self.gains[start], first)
-        return tuple(mode_name(pole) for pole in leaves)
+        leaves = self.roots[start] if self.loop is None else _leaves(self, self.loop, start)
+        return tuple(mode_name(pole, self.discrete) for pole in leaves)
 
 
-def mode_name(pole: complex) -> str:
-    """Return a name for a pole (1/s), the same for both of a pair."""
+def mode_name(pole: complex, discrete: bool = False) -> str:
+    """Return a name for a pole, the same for both of a pair.
+
+    Parameters
+    ----------
+    pole : complex
+        In s (1/s), or of a discrete loop in z.
+    discrete : bool
+    """
+    if discrete:
+        sides = f" ± j{abs(pole.imag):.3g}" if pole.imag else ""
+        return f"pole at z = {pole.real:.3g}{sides}"
     if pole == 0:
         return "pole at the origin"
     return f"mode at {abs(pole):.3g} rad/s" if pole.imag else f"pole at {pole.real:.3g} 1/s"
@@ -93,13 +115,33 @@ def _relative_condition(loop: OpenLoop, gains: NDArray, values: NDArray) -> NDAr
     return np.where(values == 0, np.where(sizes[:1].T > 0, np.inf, 1.0), condition.T)
 
 
-def _leaves(loop: OpenLoop, gain: float, values: NDArray) -> NDArray:
-    """Return for each root at one gain the open-loop pole that its branch leaves from."""
-    path = np.linspace(0, 1, 33)[:-1] ** 3 * gain
-    sets = np.concatenate([loop.eigenvalues(path), values[None]])[::-1]
-    ends = continuous_branches(sets)[-1]
-    nearest = np.abs(ends[:, None] - loop.poles[None, :]).argmin(axis=1)
-    return loop.poles[nearest]
+def _leaves(locus: "RootLocus", loop: OpenLoop, start: int) -> NDArray:
+    """Return for each column of a locus the open-loop pole that its branch leaves from.
+
+    Parameters
+    ----------
+    locus : RootLocus
+    loop : OpenLoop
+    start : int
+        Which root set the way to the gain 0 starts from.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+    """
+    gain = locus.gains[start]
+    if gain == 0:
+        return locus.roots[start]
+    moving = loop.moving_poles.size
+    way = solve(ClosedLoop(loop), np.array([0.0, gain]), _meetings(locus.break_aways))
+    poles = np.concatenate([way[0], loop.resting])
+    column = linear_sum_assignment(np.abs(locus.roots[start, :moving, None] - way[1]))[1]
+    return poles[np.append(column, np.arange(moving, poles.size))]
+
+
+def _meetings(breaks: tuple[BreakAway, ...]) -> NDArray:
+    """Return the gains at which branches meet or, at 0, may meet."""
+    return np.unique([0.0, *(b.gain for b in breaks)])
 
 
 def root_locus(
@@ -114,8 +156,10 @@ def root_locus(
 
     Parameters
     ----------
-    system : StateSpace, TransferFunction or (A, B, C)
-        The open loop G, single input and output, proper.
+    system : StateSpace, TransferFunction, ZerosPolesGain, (A, B, C) or (zeros, poles, gain)
+        The open loop G, single input and output, proper.  Continuous or discrete as its ``dt`` says.
+        Factors are given as scipy.signal.ZerosPolesGain or as three: then repeated poles stay exact.
+        python-control's own ``zpk`` multiplies them out.
     gains : array_like, shape (K,), optional
         Gains of either sign, in the order wanted.  Without them gains of one sign
         are chosen so that the polyline of each branch stays within ``tolerance`` of
@@ -134,32 +178,51 @@ def root_locus(
     Raises
     ------
     TypeError
-        If the system is no LTI system, or the gains are no real numbers.
+        If the system is no LTI system, or not real, or the gains are no real numbers.
     ValueError
-        If the system is not single-input, single-output and proper, or has no poles, or a number is
-        not finite, or a gain sends a root to infinity.
+        If the system is not single-input, single-output and proper, or has no poles, or is zero, or a
+        number is not finite, or a gain sends a root to infinity, or sign or axes are none.
 
     Notes
     -----
-    A discrete system's roots are in z; ``crossings`` are those of the imaginary axis all the same.
+    Poles and zeros of a state space are eigenvalues, those of a transfer function are roots of its
+    polynomials; equal ones but for rounding are one repeated pole or zero.  All else follows from zeros,
+    poles and gain.  A factor common to both, but for rounding, is a root that stands still.  A discrete
+    system's roots are in z, and its crossings are those of the unit circle.  A branch that leaves from a
+    pole on the border of stability does not cross it.  An improper loop is refused: the roots of
+    1 + k G = 0 are those of 1 + (1/k) (1/G) = 0, so give 1/G.
     """
     loop = open_loop(system)
-    breaks, crosses = break_aways(loop), crossings(loop)
+    if sign not in (1, -1) or isinstance(sign, bool):
+        raise ValueError(f"sign in root_locus: got {sign!r}, wanted 1 or -1")
+    view = default_axes(loop) if axes is None else _checked_axes(axes)
+    limit = checks.positive("tolerance", tolerance, "root_locus")
+    closed, breaks, crosses = ClosedLoop(loop), break_aways(loop), crossings(loop)
     if gains is None:
         marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crosses])
         if loop.D:  # a root passes through infinity: go close on either side
             lost = -sign / loop.D
             near = lost * (1 + np.array([-1e-7, 1e-7]))
             marks = np.append(marks[np.abs(marks - lost) > 1e-7 * abs(lost)], near)
-        view = default_axes(loop) if axes is None else axes
-        limit = checks.positive("tolerance", tolerance, "root_locus")
-        chosen, values = picture(loop, marks[marks > 0], view, limit, sign)
+        chosen, moving = picture(closed, marks[marks > 0], view, limit, sign)
     else:
         chosen = checks.frozen_array("gains", np.atleast_1d(np.asarray(gains)), "root_locus")
         if chosen.ndim != 1:
             raise ValueError(f"gains in root_locus: got shape {chosen.shape}, wanted one dimension")
-        values = solve(loop, chosen)
+        moving = solve(closed, chosen, _meetings(breaks))
+    values = np.concatenate([moving, np.tile(loop.resting, (chosen.size, 1))], axis=1)
     return RootLocus(chosen, values, loop.poles, loop.zeros, breaks, crosses, loop)
+
+
+def _checked_axes(axes: Axes) -> Axes:
+    """Return left, right, bottom and top if they are a picture's ``axes``; raise an error otherwise."""
+    sides = checks.frozen_array("axes", axes, "root_locus", shape=(4,))
+    left, right, bottom, top = sides.tolist()
+    if left >= right or bottom >= top:
+        raise ValueError(
+            f"axes in root_locus: got {tuple(sides.tolist())}, wanted left < right and bottom < top"
+        )
+    return left, right, bottom, top
 
 
 def parameter_locus(

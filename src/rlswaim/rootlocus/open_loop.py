@@ -1,4 +1,4 @@
-"""The open loop of a root locus: state space and polynomials, closed-loop roots, special gains."""
+"""The open loop of a root locus: zeros, poles and gain, whatever form it was given in."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,106 +8,120 @@ from typing import NamedTuple, TypeAlias
 import control
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.signal import ZerosPolesGain
 
-from rlswaim.rootlocus.polynomials import (
-    characteristic_polynomial,
-    derivative,
-    horner,
-    roots,
-    trimmed,
-    values,
-)
+from rlswaim.rootlocus.aberth import real_and_conjugate
+from rlswaim.rootlocus.polynomials import trimmed
+from rlswaim.rootlocus.repeated_roots import EPS, Points, points_of_polynomial
+from rlswaim.rootlocus.state_space import transfer_of_state_space
 from rlswaim.source import checks
 
-System: TypeAlias = control.StateSpace | control.TransferFunction | Sequence[ArrayLike]
-EPS = np.finfo(float).eps
+System: TypeAlias = control.StateSpace | control.TransferFunction | ZerosPolesGain | Sequence[ArrayLike]
+WHERE = "root_locus"
 
 
-class Crossing(NamedTuple):
-    """A crossing of the imaginary axis at s = j omega (rad/s); direction +1 is to the right."""
+class Places(NamedTuple):
+    """Distinct poles and zeros (P,), their counts (zeros +, poles -), and how far rounding moves each."""
 
-    gain: float
-    omega: float
-    direction: int
-
-
-class BreakAway(NamedTuple):
-    """A point where branches meet: a double root at ``point`` (1/s) for ``gain``."""
-
-    gain: float
-    point: complex
+    points: NDArray
+    weights: NDArray
+    errors: NDArray
 
 
 @dataclass(frozen=True, eq=False)
 class OpenLoop:
-    """A single loop G as state space and as ratio of polynomials, constant term first.
+    """A single loop G = gain prod(s - zeros) / prod(s - poles).
 
-    A ``companion`` matrix is made of the polynomials: it knows the roots no better than they do.
+    ``dt`` is python-control's: 0 or None for continuous time, otherwise the sampling period (s) or True.
     """
 
-    A: NDArray
-    B: NDArray
-    C: NDArray
-    D: float
+    zero_points: Points
+    pole_points: Points
+    gain: float
     numerator: NDArray
     denominator: NDArray
-    companion: bool = False
+    dt: float | bool | None = 0
 
-    @cached_property
+    @property
     def poles(self) -> NDArray:
-        """Open-loop poles (1/s)."""
-        return roots(self.denominator)
+        """Open-loop poles (1/s; in discrete time without unit)."""
+        return self.pole_points.values
 
-    @cached_property
+    @property
     def zeros(self) -> NDArray:
-        """Open-loop zeros (1/s)."""
-        return roots(self.numerator)
+        """Open-loop zeros (1/s; in discrete time without unit)."""
+        return self.zero_points.values
+
+    @property
+    def discrete(self) -> bool:
+        """Whether the roots are in z, stable within the unit circle."""
+        return bool(self.dt)
+
+    @property
+    def D(self) -> float:
+        """The gain at infinite frequency: 0 for a strictly proper loop."""
+        return self.gain if self.zeros.size == self.poles.size else 0.0
 
     @cached_property
-    def fixed_at_origin(self) -> int:
-        """How many closed-loop roots stay at the origin at every gain."""
-        return min(
-            int(np.flatnonzero(p)[0]) if p.any() else p.size for p in (self.numerator, self.denominator)
-        )
+    def _common(self) -> tuple[NDArray, NDArray]:
+        """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding."""
+        (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
+        free, gone = np.ones(poles.size, bool), np.zeros(zeros.size, bool)
+        for i, (zero, error) in enumerate(zip(zeros, zero_errors, strict=True)):
+            distance = np.where(free, np.abs(poles - zero) - 8 * (pole_errors + error), np.inf)
+            at = int(distance.argmin())
+            if distance[at] <= 0:
+                free[at], gone[i] = False, True
+        return ~free, gone
+
+    @cached_property
+    def resting(self) -> NDArray:
+        """The closed-loop roots that stand still at every gain: common factors, or all if the gain is 0."""
+        return self.poles[self._common[0]] if self.gain else self.poles
+
+    @cached_property
+    def moving_poles(self) -> NDArray:
+        """The poles that the moving branches leave from, repeated ones repeated."""
+        return self.poles[~self._common[0]] if self.gain else np.zeros(0, complex)
+
+    @cached_property
+    def places(self) -> Places:
+        """The distinct poles, then the distinct zeros, without common factors."""
+        (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
+        common_poles, common_zeros = self._common
+        parts = []
+        both = (-1, poles, pole_errors, common_poles), (1, zeros, zero_errors, common_zeros)
+        for kind, x, errors, common in both:
+            points, first, counts = np.unique(x[~common], return_index=True, return_counts=True)
+            parts.append((points, kind * counts, errors[~common][first]))
+        return Places(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
     def polynomials(self, gains: NDArray) -> tuple[NDArray, NDArray]:
-        """Return D + k N for gains k (K,), and |D| + |k N|: each (n + 1, K), constant term first."""
+        """Return D + k N for ``gains`` k (K,), and |D| + |k N|: each (n + 1, K), constant term first."""
         N = np.zeros(self.denominator.size)
         N[: self.numerator.size] = self.numerator
         D, kN = self.denominator[:, None], np.multiply.outer(N, gains)
         return D + kN, np.abs(D) + np.abs(kN)
 
     def refuse_infinite(self, gains: NDArray) -> None:
-        """Raise a ValueError if one of the gains (K,) sends a root to infinity: k = -1/D."""
+        """Raise a ValueError if one of the ``gains`` sends a root to infinity, or beyond what floats hold."""
         if (np.abs(1 + gains * self.D) <= EPS).any():
             raise ValueError(
-                f"root_locus: got the gain {-1 / self.D:g} = -1/D, at which a root is at infinity; "
+                f"{WHERE}: got the gain {-1 / self.D:g} = -1/D, at which a root is at infinity; "
                 "wanted another gain"
             )
-
-    def eigenvalues(self, gains: NDArray) -> NDArray:
-        """Return the closed-loop roots (K, n) for gains (K,) as eigenvalues, unordered.
-
-        Raises
-        ------
-        ValueError
-            If a gain sends a root to infinity: k = -1/D.
-        """
-        self.refuse_infinite(gains)
-        closed = self.A - (gains / (1 + gains * self.D))[:, None, None] * (self.B @ self.C)
-        found = np.linalg.eigvals(closed).astype(complex)
-        if self.fixed_at_origin:
-            smallest = np.abs(found).argsort(axis=1)[:, : self.fixed_at_origin]
-            np.put_along_axis(found, smallest, 0.0, axis=1)
-        return found
+        most = 1e100 / max(abs(self.gain), 1e-100)
+        if (np.abs(gains) > most).any():
+            at = int(np.flatnonzero(np.abs(gains) > most)[0])
+            raise ValueError(f"gains[{at}] in {WHERE}: got {gains[at]:g}, wanted at most {most:.3g} in size")
 
 
 def open_loop(system: System) -> OpenLoop:
-    """Return the loop of a python-control LTI system, or of arrays (A, B, C).
+    """Return the loop of an LTI system, of arrays (A, B, C), or of factors (zeros, poles, gain).
 
     Parameters
     ----------
-    system : StateSpace, TransferFunction or (A, B, C)
+    system : StateSpace, TransferFunction, ZerosPolesGain, (A, B, C) or (zeros, poles, gain)
 
     Returns
     -------
@@ -116,126 +130,92 @@ def open_loop(system: System) -> OpenLoop:
     Raises
     ------
     TypeError
-        If the system is no LTI system.
+        If the system is no LTI system, or not real.
     ValueError
-        If it has more than one input or output, no poles, or is improper or not finite.
+        If it has more than one input or output, no poles, a zero numerator, or is improper or not finite.
     """
+    if isinstance(system, ZerosPolesGain):
+        return _from_factors(system.zeros, system.poles, system.gain, system.dt or 0)
     if isinstance(system, (tuple, list)):
+        if len(system) == 3 and all(np.ndim(part) == d for part, d in zip(system, (1, 1, 0), strict=True)):
+            zeros, poles, gain = system
+            return _from_factors(zeros, poles, gain, 0)
         system = _from_arrays(system)
     if not isinstance(system, (control.StateSpace, control.TransferFunction)):
         raise TypeError(
-            f"root_locus: got {type(system).__name__}, wanted a StateSpace, a TransferFunction "
-            "or arrays (A, B, C)"
+            f"{WHERE}: got {type(system).__name__}, wanted a StateSpace, a TransferFunction, "
+            "a ZerosPolesGain, arrays (A, B, C) or factors (zeros, poles, gain)"
         )
     if (system.ninputs, system.noutputs) != (1, 1):
         raise ValueError(
-            f"root_locus: got {system.ninputs} inputs and {system.noutputs} outputs, wanted one of each"
+            f"{WHERE}: got {system.ninputs} inputs and {system.noutputs} outputs, wanted one of each"
         )
-    return (
-        _from_transfer(system) if isinstance(system, control.TransferFunction) else _from_state_space(system)
-    )
+    if isinstance(system, control.TransferFunction):
+        return _from_transfer(system)
+    return _from_state_space(system)
 
 
 def _from_arrays(arrays: Sequence[ArrayLike]) -> control.StateSpace:
-    """Return arrays (A, B, C) as a state space without feed-through."""
+    """Return ``arrays`` (A, B, C) as a state space without feed-through."""
     if len(arrays) != 3:
-        raise ValueError(f"root_locus: got {len(arrays)} arrays, wanted three: (A, B, C)")
-    A, B, C = (
-        checks.frozen_array(name, value, "root_locus") for name, value in zip("ABC", arrays, strict=True)
-    )
+        raise ValueError(f"{WHERE}: got {len(arrays)} arrays, wanted three: (A, B, C)")
+    A, B, C = (checks.frozen_array(name, value, WHERE) for name, value in zip("ABC", arrays, strict=True))
     n = A.shape[0] if A.ndim else 0
     for name, array, shape in (("A", A, (n, n)), ("B", B, (n, 1)), ("C", C, (1, n))):
         if array.shape != shape:
-            raise ValueError(f"{name} in root_locus: got shape {array.shape}, wanted {shape}")
+            raise ValueError(f"{name} in {WHERE}: got shape {array.shape}, wanted {shape}")
     return control.ss(A, B, C, 0.0)
 
 
-def _from_transfer(system: control.TransferFunction) -> OpenLoop:
-    numerator = trimmed(checks.frozen_array("numerator", system.num[0][0][::-1], "root_locus"))
-    denominator = trimmed(checks.frozen_array("denominator", system.den[0][0][::-1], "root_locus"))
-    n = denominator.size - 1
-    if n == 0:
-        raise ValueError("root_locus: got a system without poles, wanted at least one")
-    if numerator.size > n + 1:
+def _refuse_order(zeros: int, poles: int) -> None:
+    """Raise a ValueError if a loop with so many ``zeros`` and ``poles`` has none of these, or more zeros."""
+    if poles == 0:
+        raise ValueError(f"{WHERE}: got a system without poles, wanted at least one")
+    if zeros > poles:
         raise ValueError(
-            f"root_locus: got a numerator of order {numerator.size - 1} over one of order {n}, "
-            "wanted a proper system"
+            f"{WHERE}: got a numerator of order {zeros} over one of order {poles}, wanted a proper system; "
+            "the roots of 1 + k G = 0 are those of 1 + (1/k) (1/G) = 0: give 1/G, and 1/k for the gain"
         )
+
+
+def _from_transfer(system: control.TransferFunction) -> OpenLoop:
+    numerator = trimmed(checks.frozen_array("numerator", system.num[0][0][::-1], WHERE))
+    denominator = trimmed(checks.frozen_array("denominator", system.den[0][0][::-1], WHERE))
+    if not numerator.any():
+        raise ValueError(f"numerator in {WHERE}: got 0, wanted a transfer function that is not zero")
+    _refuse_order(numerator.size - 1, denominator.size - 1)
     numerator, denominator = numerator / denominator[-1], denominator / denominator[-1]
-    D = float(numerator[n]) if numerator.size == n + 1 else 0.0
-    A, B = np.eye(n, k=1), np.zeros((n, 1))
-    A[-1:], B[-1:] = -denominator[:n], 1.0
-    C = -D * denominator[:n]
-    C[: numerator.size] += numerator[:n]
-    return OpenLoop(A, B, C[None, :], D, numerator, denominator, True)
+    zeros, poles = points_of_polynomial(numerator), points_of_polynomial(denominator)
+    return OpenLoop(zeros, poles, float(numerator[-1]), numerator, denominator, system.dt)
 
 
 def _from_state_space(system: control.StateSpace) -> OpenLoop:
-    A, B, C = (checks.frozen_array(name, getattr(system, name), "root_locus") for name in "ABC")
-    D = checks.real("D", float(system.D[0, 0]), "root_locus")
+    A, B, C, D = (checks.frozen_array(name, getattr(system, name), WHERE) for name in "ABCD")
     if not A.size:
-        raise ValueError("root_locus: got a system without poles, wanted at least one")
-    denominator = characteristic_polynomial(A)
-    numerator = characteristic_polynomial(A, B, C) + D * denominator
-    return OpenLoop(A, B, C, D, trimmed(numerator), denominator)
+        raise ValueError(f"{WHERE}: got a system without poles, wanted at least one")
+    return OpenLoop(*transfer_of_state_space(A, B, C, D), system.dt)
 
 
-def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
-    """Return the double roots for real gains: N D' - D N' = 0, k = -D/N.
-
-    Parameters
-    ----------
-    loop : OpenLoop
-
-    Returns
-    -------
-    tuple of BreakAway
-        By rising gain; of a conjugate pair the upper point alone.
-    """
-    N, D = loop.numerator, loop.denominator
-    q = np.convolve(N, derivative(D))
-    q[: D.size + N.size - 2] -= np.convolve(D, derivative(N)) if N.size > 1 else 0.0
-    q = trimmed(q)
-    points = roots(q) if q.any() else np.zeros(0, complex)
-    points = points[points.imag >= 0]
-    at, _, terms = horner(D, points)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        # A multiple open-loop pole is met at the gain 0, not at the rounding of D there, of its coefficients
-        # and of the point: with a zero on it too, D/N would be a gain of any size.
-        gains = np.where(np.abs(at) <= 100 * D.size * EPS * terms, 0.0, -at / values(N, points))
-    real = np.isfinite(gains) & (np.abs(gains.imag) <= 1e-7 * np.abs(gains))
-    pairs = zip(gains[real].real.tolist(), points[real].tolist(), strict=True)
-    return tuple(sorted((BreakAway(k, p) for k, p in pairs), key=lambda b: b.gain))
+def _from_factors(zeros: ArrayLike, poles: ArrayLike, gain: object, dt: float | bool) -> OpenLoop:
+    zero_points, pole_points = _factor_points("zeros", zeros), _factor_points("poles", poles)
+    _refuse_order(zero_points.values.size, pole_points.values.size)
+    size = checks.real("gain", gain, WHERE)
+    if size == 0:
+        raise ValueError(f"gain in {WHERE}: got 0, wanted a transfer function that is not zero")
+    N, D = (np.atleast_1d(np.poly(part.values)).real[::-1] for part in (zero_points, pole_points))
+    return OpenLoop(zero_points, pole_points, size, size * N, D, dt)
 
 
-def _crossing_frequencies(N: NDArray, D: NDArray) -> NDArray:
-    """Return the frequencies w >= 0 (rad/s) where D/N is real: Im D(jw) conj N(jw) = w p(w^2) = 0."""
-    turn = 1j ** np.arange(D.size)
-    odd = trimmed(np.convolve(N * turn[: N.size], (D * turn).conj()).imag[1::2])
-    squares = roots(odd) if odd.any() else np.zeros(0, complex)
-    real = (np.abs(squares.imag) <= 1e-9 * np.abs(squares)) & (squares.real >= 0)
-    return np.union1d(np.sqrt(squares[real].real), [0.0])
-
-
-def crossings(loop: OpenLoop) -> tuple[Crossing, ...]:
-    """Return the crossings of the imaginary axis: 1 + k G(jw) = 0 with real k.
-
-    Parameters
-    ----------
-    loop : OpenLoop
-
-    Returns
-    -------
-    tuple of Crossing
-        By rising gain; roots that rest at the origin at every gain are no crossing.
-    """
-    m = loop.fixed_at_origin
-    N, D = loop.numerator[m:], loop.denominator[m:]
-    omega = _crossing_frequencies(N, D) if N.any() else np.zeros(0)
-    n_at, d_at, n_slope, d_slope = (values(p, 1j * omega) for p in (N, D, derivative(N), derivative(D)))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        k = -(d_at / n_at).real
-        ways = np.sign((-n_at / (d_slope + k * n_slope)).real)
-    known = (n_at != 0) & (d_at != 0) & np.isfinite(k) & np.isfinite(ways)
-    found = zip(k[known].tolist(), omega[known].tolist(), ways[known].astype(int).tolist(), strict=True)
-    return tuple(sorted(Crossing(*crossing) for crossing in found))
+def _factor_points(name: str, given: ArrayLike) -> Points:
+    """Return ``given`` zeros or poles as points, exact conjugate pairs; errors speak of them by ``name``."""
+    x = np.asarray(given)
+    if x.dtype.kind not in "iufc":
+        raise TypeError(f"{name} in {WHERE}: got an array of {x.dtype}, wanted numbers")
+    x = x.astype(complex)
+    if x.ndim != 1 or not np.isfinite(x).all():
+        raise ValueError(f"{name} in {WHERE}: got {given!r}, wanted a row of finite numbers")
+    pairs = real_and_conjugate(x) if x.size else x
+    if (np.abs(pairs - x) > 1e-12 * np.abs(x)).any():
+        at = int(np.abs(pairs - x).argmax())
+        raise ValueError(f"{name}[{at}] in {WHERE}: got {x[at]} without its conjugate, wanted pairs")
+    return Points(pairs, EPS * np.abs(pairs))

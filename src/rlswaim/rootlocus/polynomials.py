@@ -1,12 +1,8 @@
-"""Polynomials and polynomial matrices; coefficients run from the constant term up."""
-
-from fractions import Fraction
+"""Polynomials and polynomial matrices in floats; coefficients run from the constant term up."""
 
 import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import ArrayLike, NDArray
-
-from rlswaim.rootlocus import fast
 
 
 def determinant(matrix: NDArray) -> NDArray:
@@ -69,11 +65,6 @@ def _roots_elsewhere(p: NDArray) -> NDArray:
     """Return the roots of a polynomial whose constant term is not 0."""
     if p.size < 2:
         return np.zeros(0)
-    module = fast.compiled()
-    if module:
-        found, trusted = module.roots(np.array(p))
-        if trusted:
-            return np.sort(found)
     # Eigenvalues find roots of size 1 best; by logarithms, since powers of a tiny size overflow.
     with np.errstate(divide="ignore"):
         logs = np.log(np.abs(p))
@@ -127,56 +118,3 @@ def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) ->
             break
         found = found - np.where(useful, step, 0)
     return found
-
-
-def _exact_integers(matrix: NDArray) -> tuple[list[list[int]], int]:
-    """Return integers N and an exponent e with matrix = N / 2^e exactly."""
-    ratios = [[float(x).as_integer_ratio() for x in row] for row in matrix]
-    e = max(d.bit_length() - 1 for row in ratios for _, d in row)
-    return [[n * (2**e // d) for n, d in row] for row in ratios], e
-
-
-def exact_characteristic_polynomial(A: NDArray) -> list[Fraction]:
-    """Return det(sI - A) of a matrix of floats without rounding (Faddeev and LeVerrier).
-
-    Parameters
-    ----------
-    A : ndarray, shape (n, n)
-
-    Returns
-    -------
-    list of Fraction, length n + 1
-        Coefficients, constant term first.
-    """
-    integers, e = _exact_integers(A)
-    n = len(integers)
-    N = np.array(integers, dtype=object).reshape(n, n)
-    product, coefficients = np.zeros((n, n), dtype=object), [1]
-    for k in range(1, n + 1):
-        product = N @ product + coefficients[-1] * N
-        coefficients.append(-sum(product[i, i] for i in range(n)) // k)
-    return [Fraction(c, 2 ** (e * k)) for k, c in enumerate(coefficients)][::-1]
-
-
-def characteristic_polynomial(A: NDArray, B: NDArray | None = None, C: NDArray | None = None) -> NDArray:
-    """Return det(sI - A), or the numerator C adj(sI - A) B, each coefficient correctly rounded.
-
-    Parameters
-    ----------
-    A : ndarray, shape (n, n)
-    B, C : ndarray, shapes (n, 1) and (1, n), optional
-        With them the result is det(sI - A + B C) - det(sI - A), the numerator of C (sI - A)^-1 B.
-
-    Returns
-    -------
-    ndarray, shape (n + 1,)
-        Constant term first.
-    """
-    p = exact_characteristic_polynomial(np.asarray(A, dtype=float))
-    if B is None or C is None:
-        return np.array([float(c) for c in p])
-    bordered = np.block([[np.asarray(A, float), B], [C, np.zeros((1, 1))]])
-    # det(sI - [A B; C 0]) = s det(sI - A) - C adj(sI - A) B
-    border = exact_characteristic_polynomial(bordered)
-    shifted = [Fraction(0), *p]
-    return np.array([float(a - b) for a, b in zip(shifted, border, strict=True)])[: len(p)]

@@ -1,0 +1,113 @@
+"""Break-aways: the points where branches of a root locus meet."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rlswaim.rootlocus.aberth import aberth, real_and_conjugate
+from rlswaim.rootlocus.open_loop import OpenLoop, Places
+from rlswaim.rootlocus.repeated_roots import EPS, linked
+
+ROUND = 64
+"""Rounding of a sum or product of P terms counts as so many times P EPS at most."""
+
+
+class BreakAway(NamedTuple):
+    """A point where branches meet: a repeated root at ``point`` (1/s) for ``gain``."""
+
+    gain: float
+    point: complex
+
+
+def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
+    """Return the repeated roots for real gains: G' = 0, k = -1/G.
+
+    At a repeated root the logarithmic derivative of G, sum w_i/(s - x_i) over its poles and
+    zeros x_i with their counts w_i, vanishes.  A repeated open-loop pole is one too, at the gain 0.
+    Common factors of numerator and denominator stand still and meet nothing.  A point is left out
+    if rounding of the data moves its gain by more than its size.
+
+    Parameters
+    ----------
+    loop : OpenLoop
+
+    Returns
+    -------
+    tuple of BreakAway
+        By rising gain; of a conjugate pair the upper point alone.
+    """
+    places = loop.places
+    if not loop.gain or places.points.size == 0:
+        return ()
+    repeated = places.points[(places.weights < -1) & (places.points.imag >= 0)]
+    found = [BreakAway(0.0, point) for point in repeated.tolist()]
+    points = _stationary(places)
+    for point in points[points.imag >= 0].tolist():
+        gain = _gain(loop, point)
+        if gain is not None:
+            found.append(BreakAway(gain, point))
+    return tuple(sorted(found, key=lambda b: (b.gain, b.point.real, b.point.imag)))
+
+
+def _gain(loop: OpenLoop, point: complex) -> float | None:
+    """Return the gain -1/G at a point where G' = 0; None if it is not real, or the data do not fix it."""
+    points, weights, errors = loop.places
+    distance = point - points
+    with np.errstate(all="ignore"):
+        sizes = np.abs(weights / distance)
+        relative = (errors * sizes).sum()
+        # The gain is stationary here: an error of the point counts with its square.
+        slope_error = (errors * np.abs(sizes / distance)).sum() + points.size * EPS * sizes.sum()
+        relative += slope_error**2 / np.abs((weights / distance**2).sum())
+        gain = -np.exp(-(weights * np.log(distance)).sum()) / loop.gain
+    if not np.isfinite(gain) or not relative < 1:
+        return None
+    limit = ROUND * points.size * EPS + min(4 * relative, 1e-6)
+    return float(gain.real) if abs(gain.imag) <= limit * abs(gain) else None
+
+
+def _stationary(places: Places) -> NDArray:
+    """Return the zeros of sum w_i/(s - x_i), exact pairs and real ones, a repeated one once."""
+    sizes = np.abs(places.points[places.points != 0])
+    size = float(np.exp(np.log(sizes).mean())) if sizes.size else 1.0
+    x, w = places.points / size, places.weights.astype(float)
+    guess = _approximate(x, w)
+    if guess.size == 0:
+        return guess
+
+    def terms(s: NDArray) -> tuple[NDArray, NDArray]:
+        distance = s - x[:, None]
+        return distance, w[:, None] / distance
+
+    def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray]:
+        distance, term = terms(s[:, 0])
+        value, inverse = term.sum(axis=0), 1 / distance
+        slope = inverse.sum(axis=0) - (term * inverse).sum(axis=0) / value
+        done = np.abs(value) <= x.size * EPS * np.abs(term).sum(axis=0)
+        return slope[:, None], (done | (np.abs(slope * s[:, 0]) >= 1 / EPS))[:, None]
+
+    found = real_and_conjugate(aberth(slopes, guess[:, None], steps=40).values[:, 0])
+    for group in linked(found, 1e-4 * np.abs(found)):
+        center = found[group].mean()
+        distance, term = terms(np.array([center]))
+        error = np.abs(term.sum()), np.abs((term / distance).sum()) * np.abs(found[group] - center).max()
+        if max(error) <= ROUND * x.size * EPS * np.abs(term).sum():
+            found[group] = center
+    return size * np.unique(found)
+
+
+def _approximate(x: NDArray, w: NDArray) -> NDArray:
+    """Return the zeros of sum w_i/(s - x_i) as eigenvalues, where x are points and w their counts.
+
+    With M the first of the moments sum w_i x_i^r that is not 0, they are the eigenvalues of
+    diag(x) - 1 v^T / M with v_i = w_i x_i^(r + 1), without r + 1 that are 0.
+    """
+    for r in range(x.size - 1):
+        powers = w * x**r
+        moment = powers.sum().real
+        if abs(moment) > ROUND * x.size * EPS * np.abs(powers).sum():
+            matrix = np.diag(x) - (powers * x)[None] / moment
+            found = np.linalg.eigvals(matrix)
+            return found[np.abs(found).argsort()[r + 1 :]]
+    return np.zeros(0, complex)

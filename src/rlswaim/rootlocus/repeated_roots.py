@@ -1,0 +1,138 @@
+"""Roots of one polynomial with what rounding of the data does to each, repeated ones found as such."""
+
+from collections.abc import Iterator
+from math import comb
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse.csgraph import connected_components
+
+from rlswaim.rootlocus.aberth import real_and_conjugate
+from rlswaim.rootlocus.exact_polynomials import Exact, exact, refined_roots
+from rlswaim.rootlocus.polynomials import horner, roots
+
+EPS = float(np.finfo(float).eps)
+NEAR = 0.03
+"""Repeated roots spread at most so far, relative to their size, when their coefficients are rounded."""
+ILL = 3e3
+"""Roots are refined on exact integers if rounding moves one by more than so many times its own rounding."""
+
+
+class Points(NamedTuple):
+    """Poles or zeros (m,), and how far (m,) rounding of the data moves each."""
+
+    values: NDArray
+    errors: NDArray
+
+
+def points_of_polynomial(coefficients: NDArray) -> Points:
+    """Return the roots of a polynomial whose ``coefficients`` (constant term first) are the data.
+
+    A group of roots within 3 % of each other is one repeated root if the polynomial that has it
+    differs from the given one by rounding.  A repeated root has the group's mean.
+    """
+    at_origin = int(np.flatnonzero(coefficients)[0])
+    p = coefficients[at_origin:]
+    found = roots(p)
+    errors = _moved_by_rounding(p, found)
+    if (errors > ILL * EPS / 2 * np.abs(found)).any():
+        found = refined_roots(exact(p), found)
+        errors = _moved_by_rounding(p, found)
+    values = found.copy()
+    for group, center in _repeated_groups(p, found):
+        values[group] = center
+        errors[group] = _moved_by_rounding(_taylor(p, len(group) - 1), np.array([center]))
+    nothing = np.zeros(at_origin)
+    return Points(np.append(real_and_conjugate(values), nothing), np.append(errors, nothing))
+
+
+def refined(polynomial: Exact, points: Points) -> Points:
+    """Return eigenvalues refined on the exact ``polynomial`` of the matrix, with the better known errors.
+
+    A group of ``points`` nearer to each other than their errors explain is one repeated root.
+    """
+    integers = polynomial.integers[: polynomial.degree + 1]
+    at_origin = next((i for i, c in enumerate(integers) if c), 0)
+    rest = polynomial._replace(integers=integers[at_origin:])
+    order = np.argsort(np.abs(points.values))[at_origin:]
+    guess, nothing = Points(*(part[order] for part in points)), np.zeros(at_origin)
+    if order.size == 0:
+        return Points(nothing.astype(complex), nothing)
+    found = refined_roots(rest, guess.values)
+    errors = np.minimum(guess.errors, _moved_by_rounding(rest.rounded, found))
+    values, errors = grouped(Points(found, errors))
+    return Points(np.append(values, nothing), np.append(errors, nothing))
+
+
+def grouped(points: Points) -> Points:
+    """Return ``points``, groups of them nearer to each other than their errors explain as repeated ones."""
+    (found, errors), n = points, points.values.size
+    values, known = found.copy(), errors.copy()
+    for group in linked(found, np.minimum(30 * n * errors, NEAR * np.abs(found))):
+        values[group] = found[group].mean()
+        known[group] = n * EPS * np.abs(found).max()
+    return Points(real_and_conjugate(values), known)
+
+
+def linked(points: NDArray, reach: NDArray) -> list[list[int]]:
+    """Return the groups of ``points`` that chains join: neighbors whose ``reach`` spans their distance."""
+    near = np.abs(points[:, None] - points) <= reach[:, None] + reach
+    if near.sum() == points.size:
+        return []
+    count, label = connected_components(near)
+    groups = [np.flatnonzero(label == i).tolist() for i in range(count)]
+    return [group for group in groups if len(group) > 1]
+
+
+def _moved_by_rounding(p: NDArray, s: NDArray) -> NDArray:
+    """Return how far rounding of the coefficients ``p`` moves the roots ``s``.
+
+    Each coefficient is uncertain by half a unit in its last place: 2^-53 sum |p_i s^i| / |p'(s)|.
+    """
+    _, slope, terms = horner(p, s)
+    with np.errstate(divide="ignore"):
+        return EPS / 2 * terms / np.abs(slope)
+
+
+def _taylor(p: NDArray, order: int) -> NDArray:
+    """Return the coefficients of the derivative of an ``order`` of ``p``, over the order's factorial."""
+    return p[order:] * [comb(i, order) for i in range(order, p.size)]
+
+
+def _repeated_groups(p: NDArray, found: NDArray) -> Iterator[tuple[list[int], complex]]:
+    """Return the groups of roots ``found`` that are one repeated root of ``p`` to rounding, and where."""
+    free = np.ones(found.size, dtype=bool)
+    for near in NEAR * 0.1 ** np.arange(8):
+        members = np.flatnonzero(free)
+        groups = linked(found[members], near / 2 * np.abs(found[members]))
+        if not groups:
+            return
+        for group in groups:
+            which = members[group].tolist()
+            center = _center(_taylor(p, len(group) - 1), found[which])
+            if _is_repeated(p, center, len(group)):
+                free[which] = False
+                yield which, center
+
+
+def _center(derivative_: NDArray, group: NDArray) -> complex:
+    """Return the simple root of a derivative amid a group of roots, real if the group is symmetric."""
+    symmetric = np.isin(group.conj(), group).all()
+    s = complex(group.mean())
+    for _ in range(4):
+        s = s.real if symmetric else s
+        value, slope, _ = horner(derivative_, np.array([s]))
+        if slope[0]:
+            s = complex(s - value[0] / slope[0])
+    return complex(s.real) if symmetric else s
+
+
+def _is_repeated(p: NDArray, center: complex, count: int) -> bool:
+    """Return whether ``p`` has, but for rounding, a root repeated ``count`` times at a center."""
+    at = np.array([center])
+    for order in range(count):
+        value, _, terms = horner(_taylor(p, order), at)
+        if abs(value[0]) > 4 * p.size * EPS * terms[0]:
+            return False
+    return True

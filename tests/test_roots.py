@@ -1,0 +1,97 @@
+"""Roots of polynomials and of loops that are hard to follow, against 60 digits."""
+
+import control
+import numpy as np
+import pytest
+
+import rlswaim as rl
+from exact import exact_roots, off_the_polyline, relative_errors
+from rlswaim.rootlocus import polynomials
+from rlswaim.rootlocus.adaptive_gains import default_axes
+from rlswaim.rootlocus.open_loop import open_loop
+from systems import mismatch
+from test_locus_accuracy import random_system, report_loop
+
+SYSTEMS = {
+    "section IV": report_loop("IV"),
+    "section IV, polynomials": control.ss2tf(report_loop("IV")),
+    "section VII": report_loop("VII"),
+    **{f"random {order}": random_system(order, 1) for order in (3, 8, 14, 20)},
+    "two integrators": control.tf([1, 1], [1, 0, 0]),
+    "equal orders": control.tf([2, 3, 4], [1, 0.5, 9]),
+    "cancellation": control.tf([1, 3, 2], [1, 6, 11, 6]),
+}
+
+
+@pytest.fixture(params=SYSTEMS)
+def system(request):
+    return SYSTEMS[request.param]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_given_gains_and_chosen_gains_have_the_same_roots(system, sign):
+    """Gains followed from anchors, or one by one, give what the picture's gains give; few gains suffice."""
+    locus = rl.root_locus(system, sign=sign)
+    again = rl.root_locus(system, locus.gains)
+    for found, wanted, condition in zip(again.roots, locus.roots, again.condition, strict=True):
+        assert relative_errors(found, wanted)[condition < 1e5].max(initial=0) < 1e-10
+    dense = sign * np.geomspace(*np.abs(locus.gains[locus.gains != 0])[[0, -1]], 300)
+    exact = rl.root_locus(system, dense)
+    assert off_the_polyline(exact.roots.ravel(), locus.roots, default_axes(open_loop(system))) < 0.25
+    assert sorted(exact.labels) == sorted(locus.labels)
+
+
+def test_marks_of_a_break_away_end_on_one_branch_each():
+    """A gain of a double root in the middle of others leaves each column where it was."""
+    system = SYSTEMS["section IV, polynomials"]
+    mark = next(b.gain for b in rl.root_locus(system).break_aways if b.gain > 1)
+    locus = rl.root_locus(system, mark * np.linspace(0.99, 1.01, 201))
+    assert np.abs(np.diff(locus.roots, axis=0)).max() < 0.1
+
+
+def test_the_matrix_knows_what_the_polynomial_hardly_does():
+    """Wilkinson's polynomial of order 20: the locus of the diagonal matrix is right to the last digits."""
+    A, B, C = -np.diag(np.arange(1.0, 21)), np.ones((20, 1)), np.full((1, 20), 1e-3)
+    locus = rl.root_locus((A, B, C), np.geomspace(0.1, 10, 20))
+    for gain, found in zip(locus.gains, locus.roots, strict=True):
+        assert relative_errors(found, np.linalg.eigvalsh(A - gain * B @ C)).max() < 1e-13
+    assert (locus.condition > 1e8).mean() > 0.25
+
+
+@pytest.mark.parametrize("p", [np.poly([-1, -1, -2, 5, 1e-6]), np.poly([1e5, 1, -1e-4])])
+def test_polynomials_have_the_roots_of_sixty_digits(p):
+    assert mismatch(polynomials.roots(p[::-1]), exact_roots(p[::-1])) < 1e-7
+
+
+def test_a_repeated_root_is_found_as_one():
+    """(s + 1)^4 moves as the fourth root of rounding in its polynomial; the open loop has it exactly."""
+    p = np.poly([-1.0] * 4)
+    assert mismatch(polynomials.roots(p[::-1]), [-1.0] * 4) < 1e-3
+    assert np.array_equal(rl.root_locus(control.tf([1], p), [0.0]).poles, [-1.0] * 4)
+
+
+def test_roots_of_a_polynomial_of_order_38():
+    """Break-away points of a random system of order 20, all of size .05 or so, against 60 digits."""
+    loop = open_loop(SYSTEMS["random 20"])
+    p = np.convolve(loop.numerator, polynomials.derivative(loop.denominator))
+    p -= np.convolve(loop.denominator, polynomials.derivative(loop.numerator))
+    wanted = exact_roots(p)
+    assert relative_errors(polynomials.roots(p), wanted).max() < 1e-12
+
+
+def test_four_integrators_and_a_pair_beside_its_zeros():
+    """Gains up to 5e15, four roots that leave the origin (found by fuzzing): each satisfies D + k N."""
+    system = control.tf([1, 1, 9.01, 9.01, 0.09, 0.09], [1, 0, 0.01, 0, 0, 0, 0])
+    locus = rl.root_locus(system, sign=-1)
+    p, sizes = locus.loop.polynomials(locus.gains)
+    value, _, terms = polynomials.horner(p, locus.roots.T, sizes)
+    assert (np.abs(value) <= 1e-12 * terms).all()
+    assert locus.gains.size < 100
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_an_integrator_is_at_the_origin_exactly(sign):
+    """Without gain; found by fuzzing: it was at 6e-33."""
+    den = np.polymul(np.polymul([1, 0], [1, 0, 0.1**2]), [1, 0, 1])
+    locus = rl.root_locus(control.tf([1], den), sign=sign)
+    assert (locus.roots[locus.gains == 0] == 0).sum() == 1
