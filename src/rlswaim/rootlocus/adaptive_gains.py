@@ -5,9 +5,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.branches import continuous_branches
-from rlswaim.rootlocus.closed_loop import ClosedLoop
-from rlswaim.rootlocus.continuation import connected, inserted, passes_infinity
+from rlswaim.rootlocus.closed_loop import ClosedLoop, RootSets
+from rlswaim.rootlocus.continuation import between, connected, in_branches, passes_infinity
 from rlswaim.rootlocus.open_loop import OpenLoop
 
 SCREEN = (800, 600)
@@ -40,34 +39,34 @@ def _in_view(values: NDArray, axes: Axes) -> NDArray:
     return near & (np.abs(values.imag - y) < 0.55 * (axes[3] - axes[2]))
 
 
-def _deviation(closed: ClosedLoop, gains: NDArray, values: NDArray, axes: Axes) -> NDArray:
+def _deviation(sets: RootSets, axes: Axes) -> NDArray:
     """Return how far (pixels) the curve strays from its chord between neighbors, worst branch in view.
 
     A cubic with slopes a, b against its chord strays at most 4/27 (|a| + |b|) times the chord.
     At a double root, which has no tangent, the slope of the other end serves.
     """
     scale = SCREEN[0] / (axes[1] - axes[0]), SCREEN[1] / (axes[3] - axes[2])
-    tangent, known = closed.tangents(gains, values)
+    known = sets.tangents != 0
     tangent, chord = (
         scale[0] * part.real + 1j * scale[1] * part.imag
-        for part in (np.sign(gains[-1]) * tangent, np.diff(values, axis=0))
+        for part in (np.sign(sets.gains[-1]) * sets.tangents, sets.roots[1:] - sets.roots[:-1])
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         turned = [t * chord.conj() for t in (tangent[:-1], tangent[1:])]
         steep = [np.where(t.real > 0, np.minimum(np.abs(t.imag) / t.real, 10), 10) for t in turned]
     left = np.where(known[:-1], steep[0], steep[1])
     right = np.where(known[1:], steep[1], steep[0])
-    near = _in_view(values, axes)
+    near = _in_view(sets.roots, axes)
     seen = (near[:-1] | near[1:]) & (known[:-1] | known[1:])
     return np.where(seen, 4 / 27 * (left + right) * np.abs(chord), 0.0).max(axis=1, initial=0.0)
 
 
-def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> NDArray:
-    """Return the inner points of intervals of gains, each cut evenly in ln(k + offset)."""
+def _cut(low: NDArray, high: NDArray, pieces: NDArray, offset: float) -> tuple[NDArray, NDArray]:
+    """Return the inner points of intervals of gains, each cut evenly in ln(k + offset), and the intervals."""
     which = np.repeat(np.arange(low.size), pieces - 1)
-    number = np.arange(which.size) - np.repeat(np.cumsum(pieces - 1) - (pieces - 1), pieces - 1) + 1
+    number = np.arange(1, which.size + 1) - (np.cumsum(pieces - 1) - pieces + 1)[which]
     a, b = low[which] + offset, high[which] + offset
-    return a * (b / a) ** (number / pieces[which]) - offset
+    return a * (b / a) ** (number / pieces[which]) - offset, which
 
 
 def picture(
@@ -97,18 +96,19 @@ def picture(
     lead = np.abs(loop.denominator).max() / np.abs(loop.numerator).max()
     gains = sign * np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
     loop.refuse_infinite(gains)
-    values, offset = continuous_branches(closed.roots(gains)), lead * DECADES[0]
-    while gains.size < MOST:
-        stray = _deviation(closed, gains, values, axes)
-        narrow = np.abs(np.diff(gains)) <= 1e-9 * np.abs(gains[1:])
-        bad = (stray > tolerance) & ~passes_infinity(loop, gains) & ~narrow
-        if not bad.any():
+    sets, offset = in_branches(closed.sets(gains)), lead * DECADES[0]
+    while sets.gains.size < MOST:
+        size, stray = np.abs(sets.gains), _deviation(sets, axes)
+        wide = size[1:] - size[:-1] > 1e-9 * (size[1:] + offset)
+        bad = (stray > tolerance) & ~passes_infinity(loop, sets.gains[:-1], sets.gains[1:]) & wide
+        at = np.flatnonzero(bad)
+        if not at.size:
             break
         # The deviation falls with the square of the step.
-        pieces = np.clip(np.ceil(1.25 * np.sqrt(stray[bad] / tolerance)), 2, 12).astype(int)
-        more = sign * _cut(np.abs(gains[:-1][bad]), np.abs(gains[1:][bad]), pieces, offset)
-        found = np.concatenate([values, inserted(closed, gains, values, more)])
-        gains = np.concatenate([gains, more])
-        order = np.abs(gains).argsort(kind="stable")
-        gains, values = gains[order], continuous_branches(found[order])
-    return gains, connected(closed, gains, values)
+        pieces = np.clip(np.ceil(1.25 * np.sqrt(stray[at] / tolerance)), 2, 12).astype(int)
+        sizes, which = _cut(size[at], size[at + 1], pieces, offset)
+        more = between(closed, sets.at(at[which]), sets.at(at[which] + 1), sign * sizes)
+        order = np.append(size, sizes).argsort(kind="stable")
+        sets = RootSets(*(np.concatenate(parts)[order] for parts in zip(sets, more, strict=True)))
+        sets = in_branches(sets)
+    return sets.gains, connected(closed, sets)

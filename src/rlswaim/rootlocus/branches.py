@@ -5,6 +5,16 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 
+def squared_distances(a: NDArray, b: NDArray) -> NDArray:
+    """Return the squares of the distances of all roots in sets ``a`` (K, n) to all in sets ``b`` (K, m)."""
+    square = np.ascontiguousarray(a.real)[:, :, None] - np.ascontiguousarray(b.real)[:, None]
+    square *= square
+    other = np.ascontiguousarray(a.imag)[:, :, None] - np.ascontiguousarray(b.imag)[:, None]
+    other *= other
+    square += other
+    return np.asarray(square)
+
+
 def match_roots(before: NDArray, after: NDArray, turns: NDArray | None = None) -> NDArray:
     """Return for each root of each set the index of its successor in another set.
 
@@ -23,12 +33,12 @@ def match_roots(before: NDArray, after: NDArray, turns: NDArray | None = None) -
     -------
     ndarray of int, shape (K, n)
     """
-    distance = np.abs(before[:, :, None] - after[:, None, :])
-    nearest = distance.argmin(axis=2)
+    square = squared_distances(before, after)
+    nearest = square.argmin(axis=2)
     reached = np.zeros(nearest.shape, dtype=bool)
-    np.put_along_axis(reached, nearest, True, axis=1)
+    reached[np.arange(len(nearest))[:, None], nearest] = True
     for i in np.flatnonzero(~reached.all(axis=1)):
-        cost = distance[i] if turns is None else distance[i] * (1 + turns[i])
+        cost = np.sqrt(square[i]) if turns is None else np.sqrt(square[i]) * (1 + turns[i])
         nearest[i] = linear_sum_assignment(cost)[1]
     return nearest
 

@@ -1,29 +1,37 @@
 """Closed-loop roots at given gains: eigenvalues as first guesses, Aberth's iteration on the factors."""
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.rootlocus.aberth import Slopes, aberth, real_and_conjugate, starting_points
+from rlswaim.rootlocus.branches import squared_distances
 from rlswaim.rootlocus.open_loop import OpenLoop
 from rlswaim.rootlocus.repeated_roots import EPS
 
-BLOCK = 7_000
-"""So many numbers at a time: they stay in the processor's cache."""
+BLOCK = 20_000
+"""So many pairs of roots at a time: they stay in the processor's cache."""
 REPEATED = 6
 """Poles and zeros repeated more often than this make matrices whose eigenvalues are no good guesses."""
-NEVER_ZERO = 1e-150
-"""In place of the distance 0 from a root to a pole or zero; its square is no zero either."""
 
 
-class _Values(NamedTuple):
-    """D and N at points (n, K), and their logarithmic derivatives D'/D and N'/N."""
+class RootSets(NamedTuple):
+    """Roots (K, n) at gains (K,), and their tangents ds/dk (K, n); a tangent that is not known is 0."""
 
-    D: NDArray
-    N: NDArray
-    D_slope: NDArray
-    N_slope: NDArray
+    gains: NDArray
+    roots: NDArray
+    tangents: NDArray
+
+    def at(self, which: NDArray | slice) -> "RootSets":
+        """Return the sets of which the numbers, or a slice, are given."""
+        return RootSets(self.gains[which], self.roots[which], self.tangents[which])
+
+    def in_columns(self, order: NDArray) -> "RootSets":
+        """Return the sets with their roots in a given ``order`` (K, n)."""
+        rows = np.arange(len(order))[:, None]
+        return RootSets(self.gains, self.roots[rows, order], self.tangents[rows, order])
 
 
 class ClosedLoop:
@@ -39,59 +47,57 @@ class ClosedLoop:
         self.size = float(np.exp(np.log(sizes).mean())) if sizes.size else 1.0
         self.points, self.counts = points / self.size, np.abs(weights)
         self.poles = int((weights < 0).sum())
-        self.order = loop.moving_poles.size
-        self.excess = self.order - int(self.counts[self.poles :].sum())
+        every, self.order = np.repeat(self.points, self.counts), loop.moving_poles.size
+        self.factors = every[: self.order], every[self.order :]
+        self.excess = self.order - self.factors[1].size
         self.gain = loop.gain / self.size**self.excess
-        self.repeated = bool((self.counts > 1).any())
+        self.sums = tuple(float(part.sum().real) for part in self.factors)
+        self.largest = float(np.abs(points).max(initial=0.0)) / self.size
 
-    def values(self, s: NDArray) -> _Values:
-        """Return `_Values` at scaled points ``s`` (n, K)."""
-        distance = s - self.points[:, None, None]
-        square = distance.real**2 + distance.imag**2
-        if not square.min():
-            distance[square == 0] = NEVER_ZERO
-            square[square == 0] = NEVER_ZERO**2
-        inverse = distance.conj()
-        inverse *= 1 / square
-        if self.repeated:
-            inverse *= self.counts[:, None, None]
-            with np.errstate(over="ignore", invalid="ignore"):
-                distance = distance ** self.counts[:, None, None]
-        a = self.poles
-        D, N = distance[:a].prod(axis=0), distance[a:].prod(axis=0)
-        return _Values(D, self.gain * N, inverse[:a].sum(axis=0), inverse[a:].sum(axis=0))
+    def values(self, s: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+        """Return D, D', N and N' at scaled points ``s``, any shape."""
+        found, factors = [], list(zip(self.points.tolist(), self.counts.tolist(), strict=True))
+        for part, lead in (factors[: self.poles], 1.0), (factors[self.poles :], self.gain):
+            value, slope = np.full(s.shape, lead, dtype=complex), np.zeros(s.shape, dtype=complex)
+            for x, count in part:
+                distance = s - x
+                if count > 1:
+                    power = distance ** (count - 1)
+                    slope *= power
+                    value *= power
+                slope *= distance
+                slope += value if count == 1 else count * value
+                value *= distance
+            found += [value, slope]
+        D, D_slope, N, N_slope = found
+        return D, D_slope, N, N_slope
 
-    def tangents(self, gains: NDArray, roots: NDArray) -> tuple[NDArray, NDArray]:
-        """Return ds/dk = -N / (D' + k N') at roots, and where it is known: at no double root.
+    def slopes(self, gains: NDArray, tangents: NDArray) -> Slopes:
+        """Return the function for `aberth` of the closed loops at given gains.
+
+        At each call it writes the tangents ds/dk = -N / (D' + k N') too, 0 at a double root.
 
         Parameters
         ----------
         gains : ndarray, shape (K,)
-        roots : ndarray of complex, shape (K, n)
+        tangents : ndarray of complex, shape (n, K)
 
         Returns
         -------
-        tuple of ndarray, both of shape (K, n)
+        callable
         """
-        D, N, D_slope, N_slope = self.values(roots.T / self.size)
-        with np.errstate(all="ignore"):
-            derivative = D * D_slope + gains * N * N_slope
-            tangent = (-self.size * N / derivative).T
-            terms = np.abs(D) + np.abs(gains * N)
-            known = np.abs(derivative) * np.maximum(np.abs(roots.T / self.size), 1e-6) > 1e-6 * terms
-        known = known.T & (np.abs(tangent) < 1e100)
-        return np.where(known, tangent, 0), known
-
-    def slopes(self, gains: NDArray) -> Slopes:
-        """Return the function for `aberth` of the closed loops at ``gains`` (K,)."""
         rounding = EPS * (self.counts.sum() + 2)
 
         def slopes(s: NDArray, which: NDArray) -> tuple[NDArray, NDArray]:
-            D, N, D_slope, N_slope = self.values(s)
-            kN = gains[which] * N
-            F, derivative = D + kN, D * D_slope + kN * N_slope
-            error = np.maximum(rounding * (np.abs(D) + np.abs(kN)), EPS * np.abs(s * derivative))
-            return derivative / F, np.abs(F) <= error
+            k = gains[which]
+            D, D_slope, N, N_slope = self.values(s)
+            kN = k * N
+            F, derivative = D + kN, D_slope + k * N_slope
+            terms, size, steep = np.abs(D) + np.abs(kN), np.abs(s), np.abs(derivative)
+            known = steep * np.maximum(size, 1e-6) > 1e-6 * terms
+            known &= 1e-100 * self.size * np.abs(N) < steep
+            tangents[:, which] = np.where(known, -self.size * N / derivative, 0)
+            return derivative / F, np.abs(F) <= np.maximum(rounding * terms, EPS * size * steep)
 
         return slopes
 
@@ -99,12 +105,7 @@ class ClosedLoop:
         """Return approximate scaled roots (n, K) at ``gains`` (K,)."""
         if self.counts.max() <= REPEATED:
             return self.eigenvalues(gains)
-        D, N = (
-            np.atleast_1d(np.poly(np.repeat(x, m))).real[::-1]
-            for x, m in zip(
-                *(np.split(part, [self.poles]) for part in (self.points, self.counts)), strict=True
-            )
-        )
+        D, N = (np.atleast_1d(np.poly(part)).real[::-1] for part in self.factors)
         N = np.append(N, np.zeros(D.size - N.size)) * self.gain
         return np.stack([starting_points(D + gain * N) for gain in gains], axis=1)
 
@@ -118,8 +119,8 @@ class ClosedLoop:
         nodes = self._nodes()
         apart = nodes[:, None] - nodes
         np.fill_diagonal(apart, 1.0)
-        D, N, *_ = self.values(nodes[:, None])
-        fixed, moved = (part[:, 0] / apart.prod(axis=1) for part in (D, N))
+        D, _, N, _ = self.values(nodes)
+        fixed, moved = (part / apart.prod(axis=1) for part in (D, N))
         leading = 1 + gains * (self.gain if self.excess == 0 else 0.0)
         rows = (fixed + gains[:, None] * moved) / leading[:, None]
         real = _real_form(nodes)
@@ -128,8 +129,8 @@ class ClosedLoop:
         matrices = diagonal - ones[:, None] * (rows @ real).real[:, None, :]
         return np.linalg.eigvals(matrices).astype(complex).T
 
-    def roots(self, gains: NDArray, guess: NDArray | None = None) -> NDArray:
-        """Return the moving roots at given gains, in exact pairs.
+    def sets(self, gains: NDArray, guess: NDArray | None = None) -> RootSets:
+        """Return the moving roots at given gains, in exact pairs, and their tangents.
 
         Parameters
         ----------
@@ -139,47 +140,59 @@ class ClosedLoop:
 
         Returns
         -------
-        ndarray of complex, shape (K, n)
+        RootSets
         """
-        found = np.tile(self.loop.moving_poles, (gains.size, 1))
+        found = np.empty((2, gains.size, self.order), complex)
+        found[:] = np.stack([self.loop.moving_poles, self._leaving])[:, None]
         moved = np.flatnonzero(gains)
-        step = max(1, BLOCK // (self.points.size * self.order))
+        step = max(16, BLOCK // self.order**2)
         for start in range(0, moved.size, step):
             part = moved[start : start + step]
-            first = self._first(gains[part]) if guess is None else guess[part].T / self.size
-            found[part] = self.size * self._corrected(gains[part], first).T
-        return found
+            if guess is None or self.counts.max() > REPEATED:  # such branches leave faster than a guess tells
+                first = self._first(gains[part])
+            else:
+                first = guess[part].T / self.size
+            roots, tangents = self._corrected(gains[part], first)
+            found[:, part] = self.size * roots.T, tangents.T
+        return RootSets(gains, *found)
 
-    def _corrected(self, gains: NDArray, guess: NDArray) -> NDArray:
-        """Return scaled roots (n, K) by Aberth's iteration, anew from other guesses where it fails."""
-        values, found = aberth(self.slopes(gains), guess, steps=8 if self.counts.max() <= REPEATED else 60)
-        values, paired = _in_pairs(values)
-        for at in np.flatnonzero(~(found & paired & self._complete(gains, values))):
-            values[:, at] = self._anew(gains[at : at + 1], guess[:, at])
-        return values
+    @cached_property
+    def _leaving(self) -> NDArray:
+        """The tangents (n,) at the poles."""
+        tangents, poles = np.empty((self.order, 1), complex), self.loop.moving_poles[:, None] / self.size
+        with np.errstate(all="ignore"):
+            self.slopes(np.zeros(1), tangents)(poles, np.zeros(1, int))
+        return tangents[:, 0]
+
+    def _corrected(self, gains: NDArray, guess: NDArray) -> tuple[NDArray, NDArray]:
+        """Return scaled roots (n, K) by Aberth's iteration, anew where it fails, and tangents (n, K)."""
+        tangents = np.empty(guess.shape, complex)
+        slopes = self.slopes(gains, tangents)
+        roots, found = aberth(slopes, guess, steps=8 if self.counts.max() <= REPEATED else 60)
+        roots, paired = _in_pairs(roots)
+        for at in np.flatnonzero(~(found & paired & self._complete(gains, roots))):
+            roots[:, at] = self._anew(gains[at : at + 1], guess[:, at])
+            with np.errstate(all="ignore"):
+                slopes(roots[:, [at]], np.array([at]))
+        return roots, tangents
 
     def _anew(self, gain: NDArray, guess: NDArray) -> NDArray:
         """Return the scaled roots (n,) at one ``gain`` (1,) from a ``guess`` (n,) without symmetry."""
         turns = np.exp(1j * np.arange(guess.size))
         first = guess + 1e-3 * (np.abs(guess) + 1e-3) * turns
-        values, found = aberth(self.slopes(gain), first[:, None], steps=60)
+        slopes = self.slopes(gain, np.empty((guess.size, 1), complex))
+        values, found = aberth(slopes, first[:, None], steps=60)
         if not found[0] or not self._complete(gain, values)[0]:
             circle = 2 * (1 + np.abs(guess).max()) * turns ** (2 * np.pi / guess.size)
-            again = aberth(self.slopes(gain), circle[:, None] * np.exp(0.5j), steps=200)
+            again = aberth(slopes, circle[:, None] * np.exp(0.5j), steps=200)
             values = again.values if again.found[0] else values
         return real_and_conjugate(values[:, 0])
 
     def _complete(self, gains: NDArray, s: NDArray) -> NDArray:
         """Return for which ``gains`` (K,) the roots ``s`` (n, K) have the right sum: none is missing."""
-        poles, zeros = (
-            (x * m).sum().real
-            for x, m in zip(
-                *(np.split(part, [self.poles]) for part in (self.points, self.counts)), strict=True
-            )
-        )
-        kg = gains * self.gain
+        kg, (poles, zeros) = gains * self.gain, self.sums
         total = (poles + kg * zeros) / (1 + kg) if self.excess == 0 else poles - kg * (self.excess == 1)
-        return np.abs(s.sum(axis=0) - total) <= 1e-7 * (np.abs(s).sum(axis=0) + np.abs(self.points).max())
+        return np.abs(s.sum(axis=0) - total) <= 1e-7 * (np.abs(s).sum(axis=0) + self.largest)
 
     def _nodes(self) -> NDArray:
         """Return as many distinct points as there are poles: reals, then pairs, the upper one first."""
@@ -201,10 +214,10 @@ class ClosedLoop:
 
 def _in_pairs(s: NDArray) -> tuple[NDArray, NDArray]:
     """Return roots ``s`` (n, K) as exact pairs and real ones, and for which columns (K,) that worked."""
-    across = np.abs(s[:, None] - s.conj())
-    partner = across.argmin(axis=1)
-    paired = (np.take_along_axis(partner, partner, axis=0) == np.arange(len(s))[:, None]).all(axis=0)
-    return (s + np.take_along_axis(s, partner, axis=0).conj()) / 2, paired
+    sets, rows = s.T, np.arange(s.shape[1])[:, None]
+    partner = squared_distances(sets, sets.conj()).argmin(axis=2)
+    paired = (partner[rows, partner] == np.arange(len(s))).all(axis=1)
+    return ((sets + sets[rows, partner].conj()) / 2).T, paired
 
 
 def _real_form(nodes: NDArray) -> NDArray:

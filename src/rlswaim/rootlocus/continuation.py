@@ -3,16 +3,18 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.branches import continuous_branches, in_order, match_roots
-from rlswaim.rootlocus.closed_loop import ClosedLoop
+from rlswaim.rootlocus.branches import in_order, match_roots, squared_distances
+from rlswaim.rootlocus.closed_loop import ClosedLoop, RootSets
 from rlswaim.rootlocus.open_loop import OpenLoop
 
 ANCHOR = 16
 """Of a long run of gains each sixteenth starts from eigenvalues, and the others from these."""
-LEVELS = 40
-"""So often an interval of gains is halved at most where branches are hard to tell apart."""
+PIECES = 8
+"""An interval of gains is cut into so many where branches are hard to tell apart."""
+LEVELS = 13
+"""So often it is cut again at most."""
 MOST = 3000
-"""So many gains are put between the given ones at most."""
+"""So many sets are computed at a time at most where intervals are cut again."""
 MEET = 1e-5
 """Roots nearer to each other than this, relative to their size, meet: either may be continued by either."""
 
@@ -38,46 +40,52 @@ def solve(closed: ClosedLoop, gains: NDArray, meetings: NDArray) -> NDArray:
         return np.zeros((gains.size, 0), complex)
     between = (meetings > distinct[0]) & (meetings < distinct[-1])
     path = np.union1d(distinct, meetings[between])
-    values = connected(closed, path, _roots_along(closed, path))
-    return values[np.searchsorted(path, distinct)][place]
+    return connected(closed, _along(closed, path))[np.searchsorted(path, distinct)][place]
 
 
-def _roots_along(closed: ClosedLoop, gains: NDArray) -> NDArray:
-    """Return root sets (K, n) for rising ``gains``: from eigenvalues at anchors, from these between them."""
+def _along(closed: ClosedLoop, gains: NDArray) -> RootSets:
+    """Return root sets for rising ``gains``: from eigenvalues at anchors, from these between them."""
     if gains.size <= 4 * ANCHOR:
-        return closed.roots(gains)
-    at = np.unique(np.append(np.arange(0, gains.size, ANCHOR), gains.size - 1))
-    inner = np.setdiff1d(np.arange(gains.size), at)
-    values = np.empty((gains.size, closed.order), dtype=complex)
-    values[at] = continuous_branches(closed.roots(gains[at]))
-    values[inner] = inserted(closed, gains[at], values[at], gains[inner])
-    return values
+        return closed.sets(gains)
+    number = np.arange(gains.size)
+    at = (number % ANCHOR == 0) | (number == gains.size - 1)
+    anchors, low = in_branches(closed.sets(gains[at])), number[~at] // ANCHOR
+    inner = between(closed, anchors.at(low), anchors.at(low + 1), gains[~at])
+    place = np.append(number[at], number[~at]).argsort()
+    return RootSets(*(np.concatenate(parts)[place] for parts in zip(anchors, inner, strict=True)))
 
 
-def inserted(closed: ClosedLoop, known: NDArray, values: NDArray, gains: NDArray) -> NDArray:
-    """Return root sets at gains between known ones, unordered.
+def in_branches(sets: RootSets) -> RootSets:
+    """Return the ``sets`` with each root's column that of the nearest root in the set before."""
+    return sets.in_columns(in_order(match_roots(sets.roots[:-1], sets.roots[1:])))
+
+
+def between(closed: ClosedLoop, low: RootSets, high: RootSets, gains: NDArray) -> RootSets:
+    """Return root sets at gains, each between two known sets; first guesses are cubics through these.
 
     Parameters
     ----------
     closed : ClosedLoop
-    known : ndarray, shape (K,)
-        Rising or falling gains.
-    values : ndarray of complex, shape (K, n)
-        Branches at the known gains.
-    gains : ndarray, shape (m,)
+    low, high : RootSets
+        K sets on either side, the roots of a branch in one column.
+    gains : ndarray, shape (K,)
 
     Returns
     -------
-    ndarray of complex, shape (m, n)
+    RootSets
     """
-    rising = np.argsort(known)
-    known, values = known[rising], values[rising]
-    right = np.clip(np.searchsorted(known, gains), 1, known.size - 1)
-    t = ((gains - known[right - 1]) / (known[right] - known[right - 1]))[:, None]
-    return closed.roots(gains, (1 - t) * values[right - 1] + t * values[right])
+    width, chord = (high.gains - low.gains)[:, None], high.roots - low.roots
+    t = (gains - low.gains)[:, None] / width
+    bends = []
+    for end in (low, high):
+        tangent = width * end.tangents
+        usable = (end.tangents != 0) & (np.abs(tangent) < 3 * np.abs(chord))
+        bends.append(np.where(usable, tangent - chord, 0))
+    bend = t * (1 - t) * ((1 - t) * bends[0] - t * bends[1])
+    return closed.sets(gains, low.roots + t * chord + bend)
 
 
-def connected(closed: ClosedLoop, gains: NDArray, values: NDArray) -> NDArray:
+def connected(closed: ClosedLoop, sets: RootSets) -> NDArray:
     """Return root sets as continuous branches.
 
     Neighboring sets are paired root by root where each root moves less than its distance
@@ -86,82 +94,98 @@ def connected(closed: ClosedLoop, gains: NDArray, values: NDArray) -> NDArray:
     Parameters
     ----------
     closed : ClosedLoop
-    gains : ndarray, shape (K,)
-        Rising or falling.
-    values : ndarray of complex, shape (K, n)
-        The sets, each in any order.
+    sets : RootSets
+        K sets at rising or falling gains, each in any order.
 
     Returns
     -------
     ndarray of complex, shape (K, n)
     """
-    path, sets, given = gains, values, np.ones(gains.size, dtype=bool)
-    step, unsure = _paired(closed, gains, values)
-    for _ in range(LEVELS):
-        at = np.flatnonzero(unsure)
-        if not at.size or path.size > gains.size + MOST:
-            break
-        ends, after = path[[at, at + 1]], np.take_along_axis(sets[at + 1], step[at], axis=1)
-        middle = _middle(*ends)
-        t = ((middle - ends[0]) / (ends[1] - ends[0]))[:, None]
-        between = closed.roots(middle, (1 - t) * sets[at] + t * after)
-        low = _paired(closed, np.stack([ends[0], middle]), np.stack([sets[at], between]))
-        high = _paired(closed, np.stack([middle, ends[1]]), np.stack([between, sets[at + 1]]))
-        step[at], unsure[at] = low[0][0], low[1][0]
-        step, unsure = (
-            np.insert(part, at + 1, new[0], axis=0) for part, new in zip((step, unsure), high, strict=True)
-        )
-        path, given = np.insert(path, at + 1, middle), np.insert(given, at + 1, False)
-        sets = np.insert(sets, at + 1, between, axis=0)
-    return np.take_along_axis(sets, in_order(step), axis=1)[given]
+    return sets.in_columns(in_order(_successors(closed, sets, 1, LEVELS))).roots
 
 
-def _middle(a: NDArray, b: NDArray) -> NDArray:
-    """Return gains between ``a`` and ``b``: in the middle, of the logarithm where these differ much."""
+def _successors(closed: ClosedLoop, sets: RootSets, paths: int, levels: int) -> NDArray:
+    """Return each root's successor in the next set, on several paths at once.
+
+    Parameters
+    ----------
+    closed : ClosedLoop
+    sets : RootSets
+        The first sets of all paths, the second sets of all paths, and so on, K in all.
+    paths : int
+    levels : int
+        So often an interval may be cut again.
+
+    Returns
+    -------
+    ndarray of int, shape (K - paths, n)
+    """
+    before, after = sets.at(slice(None, -paths)), sets.at(slice(paths, None))
+    step = match_roots(before.roots, after.roots)
+    after = after.in_columns(step)
+    at = _unsure(closed, before, after)
+    if not at.size or not levels or (levels < LEVELS and at.size * PIECES > MOST):
+        return step
+    low, high = before.at(at), after.at(at)
+    cuts = np.tile(np.arange(at.size), PIECES - 1)
+    gains = _cut(low.gains, high.gains).ravel()
+    inner = between(closed, low.at(cuts), high.at(cuts), gains)
+    path = RootSets(*(np.concatenate(parts) for parts in zip(low, inner, high, strict=True)))
+    steps = _successors(closed, path, at.size, levels - 1).reshape(PIECES, at.size, -1)
+    way, rows = steps[0], np.arange(at.size)[:, None]
+    for piece in steps[1:]:
+        way = piece[rows, way]
+    step[at] = step[at[:, None], way]
+    return step
+
+
+def _cut(a: NDArray, b: NDArray) -> NDArray:
+    """Return gains (PIECES - 1, m) between ``a`` and ``b`` (m,), evenly, or by logarithms if far apart."""
     small, large = np.minimum(np.abs(a), np.abs(b)), np.maximum(np.abs(a), np.abs(b))
-    size = np.sqrt(np.maximum(small, 1e-4 * large)) * np.sqrt(large)
-    return np.where((a * b >= 0) & (large > 2 * small), np.sign(a + b) * size, (a + b) / 2)
+    part = (np.arange(1, PIECES) / PIECES)[:, None]
+    least = np.maximum(small, 1e-4 * large)
+    up = np.where(np.abs(b) > np.abs(a), part, 1 - part)
+    by_logarithm = np.sign(a + b) * least * (large / least) ** up
+    return np.where((a * b >= 0) & (large > 2 * small), by_logarithm, a + part * (b - a))
 
 
-def _paired(closed: ClosedLoop, gains: NDArray, values: NDArray) -> tuple[NDArray, NDArray]:
-    """Return each root's successor in the next set, and for which intervals of gains this is unsure.
+def _unsure(closed: ClosedLoop, before: RootSets, after: RootSets) -> NDArray:
+    """Return the numbers of those intervals in which a root's successor is unsure.
 
-    A root's successor is sure if its step, and what its speed at either end promises for the interval,
+    It is sure if its step, and what its speed at either end promises for the interval,
     is small beside the distance to every root that it does not meet.
 
     Parameters
     ----------
     closed : ClosedLoop
-    gains : ndarray, shape (K,) or (K, M)
-    values : ndarray of complex, shape (K, n) or (K, M, n)
+    before, after : RootSets
+        At the ends of the intervals, the roots in the order of their successors.
 
     Returns
     -------
-    tuple of ndarray, shapes (K - 1, n) and (K - 1,) or (K - 1, M, n) and (K - 1, M)
+    ndarray of int
     """
-    shape, n = values.shape, values.shape[-1]
-    flat, all_gains = values.reshape(-1, n), gains.ravel()
-    tangent, known = closed.tangents(all_gains, flat)
-    speed = np.where(known, np.abs(tangent), 0.0)
-    gap = np.abs(flat[:, :, None] - flat[:, None])
-    gap[gap <= MEET * np.abs(flat)[:, :, None]] = np.inf  # a root met, or the root itself
-    M = flat.shape[0] // shape[0]
-    before, after = flat[:-M], flat[M:]
-    step = match_roots(before, after)
-    moved = np.abs(before - np.take_along_axis(after, step, axis=1))
-    gap_after = np.take_along_axis(np.take_along_axis(gap[M:], step[:, :, None], 1), step[:, None], 2)
-    meets = np.isinf(gap[:-M]) | np.isinf(gap_after)
-    nearest = np.where(meets, np.inf, np.minimum(gap[:-M], gap_after)).min(axis=2)
-    width = np.abs(all_gains[M:] - all_gains[:-M])
-    promised = width[:, None] * np.maximum(speed[:-M], np.take_along_axis(speed[M:], step, axis=1))
-    far = ((moved > 0.4 * nearest) | (promised > nearest)).any(axis=1)
-    narrow = width <= 1e-9 * np.maximum(np.abs(all_gains[M:]), np.abs(all_gains[:-M]))
-    across = passes_infinity(closed.loop, gains).ravel()
-    unsure = far & ~narrow & ~across
-    return step.reshape(shape[0] - 1, *shape[1:]), unsure.reshape(shape[0] - 1, *shape[1:-1])
+    width = np.abs(after.gains - before.gains)
+    promised = width[:, None] * np.maximum(np.abs(before.tangents), np.abs(after.tangents))
+    reach = np.maximum(2.5 * np.abs(after.roots - before.roots), promised)
+    wide = width > 1e-9 * np.maximum(np.abs(before.gains), np.abs(after.gains))
+    wide &= ~passes_infinity(closed.loop, before.gains, after.gains)
+    at = np.flatnonzero(wide & (reach > np.minimum(_nearest(before), _nearest(after))).any(axis=1))
+    if at.size:  # what is met at one end counts at neither
+        at = at[(reach[at] > _nearest(before.at(at), after.at(at))).any(axis=1)]
+    return at
 
 
-def passes_infinity(loop: OpenLoop, gains: NDArray) -> NDArray:
-    """Return in which intervals of ``gains`` a root of the ``loop`` passes infinity: k = -1/D lies there."""
-    side = np.sign(1 + gains * loop.D)
-    return np.asarray(side[:-1] != side[1:])
+def _nearest(*ends: RootSets) -> NDArray:
+    """Return each root's distance (K, n) to the nearest one that it does not meet, at one end or several."""
+    squares = [squared_distances(sets.roots, sets.roots) for sets in ends]
+    met = [
+        square <= (MEET * np.abs(sets.roots)[:, :, None]) ** 2
+        for square, sets in zip(squares, ends, strict=True)
+    ]
+    return np.sqrt(np.where(np.any(met, axis=0), np.inf, np.min(squares, axis=0)).min(axis=2))
+
+
+def passes_infinity(loop: OpenLoop, a: NDArray, b: NDArray) -> NDArray:
+    """Return whether a root of the ``loop`` passes infinity between gains ``a`` and ``b``: -1/D is there."""
+    return np.asarray((1 + a * loop.D > 0) != (1 + b * loop.D > 0))

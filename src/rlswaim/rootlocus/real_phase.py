@@ -107,14 +107,16 @@ def _bracketed(phase: Phase, low: NDArray, high: NDArray, target: NDArray, risin
     -------
     ndarray, shape (M,)
     """
-    omega = (low + high) / 2
+    omega, rounding = (low + high) / 2, 8 * phase.real.size * EPS * np.pi
     for _ in range(80):
         value = phase.offset + phase.terms(omega).sum(axis=0) - target
         beyond = (value > 0) == rising
         low, high = np.where(beyond, low, omega), np.where(beyond, omega, high)
         step = omega - value / phase.slope(omega)
-        after = np.where((step >= low) & (step <= high), step, (low + high) / 2)
-        done = np.abs(after - omega) <= 2 * EPS * np.abs(omega)
+        settled = np.abs(value) <= rounding  # the last step: another would follow rounding alone
+        other = np.where(settled, omega, (low + high) / 2)
+        after = np.where((step >= low) & (step <= high), step, other)
+        done = settled | (np.abs(after - omega) <= 2 * EPS * np.abs(omega))
         omega = after
         if done.all():
             break
