@@ -9,10 +9,11 @@ import pytest
 
 import rlswaim as rl
 from exact import exact_roots, paired
-from rlswaim.edition import conclusions, robustness, search
+from rlswaim.edition import conclusions, robustness, search, simultaneous_margins
 from rlswaim.loops import certificates, closed_loops, rigid_body_design
 from rlswaim.loops.closed_loops import LOOPS
 from rlswaim.loops.control_systems import RATE_ATTITUDE
+from rlswaim.loops.given_shapes import with_shapes
 from rlswaim.loops.rigid_body_design import WANTED
 from rlswaim.rootlocus.polynomials import exact_characteristic_polynomial, roots
 from systems import polynomial_at
@@ -234,6 +235,56 @@ def test_shapes_that_are_right_leave_the_poles():
         assert np.abs(np.sort_complex(other) - np.sort_complex(poles)).max() < 0.1
     same = robustness.misread(EQS, BY_HAND, 0.0)[0]
     assert np.abs(same - paired(same, poles)).max() < 1e-9
+
+
+@pytest.mark.parametrize("chosen", [BY_HAND, MODEST], ids=["by hand", "modest jet"])
+def test_misread_deflections_are_off_by_what_is_said(chosen):
+    """Beside loops that are wired anew, with the deflections of both modes at sensor and jet set by hand."""
+    signs = [(i, j, k, m) for i in (-1, 1) for j in (-1, 1) for k in (-1, 1) for m in (-1, 1)]
+    at = [(mode, chosen[place]) for place in ("sensor", "jet") for mode in EQS.modes]
+    if chosen["sensor"] == chosen["jet"]:  # a place of its own for each reading
+        chosen = chosen | {"jet": chosen["jet"] + 1e-9}
+    for poles, wrong in zip(robustness.misread(EQS, chosen), signs, strict=True):
+        phi = [mode.deflection(x) * (1 + 0.05 * sign) for (mode, x), sign in zip(at, wrong, strict=True)]
+        eqs = with_shapes(EQS, {chosen["sensor"]: phi[:2], chosen["jet"]: phi[2:]})
+        wired = rl.dual_actuation(eqs, **chosen).poles()
+        assert np.abs(poles - paired(poles, wired)).max() < 1e-4
+
+
+BOTH = {name: simultaneous_margins.together(EQS, g) for name, g in (("by hand", BY_HAND), ("modest", MODEST))}
+
+
+@pytest.mark.parametrize("name", BOTH)
+def test_both_loops_fail_at_their_disk_margin_and_not_within(name):
+    found, A = BOTH[name], robustness._matrix(EQS, {"by hand": BY_HAND, "modest": MODEST}[name])
+    at_limit = np.linalg.eigvals(simultaneous_margins.scaled(A, found.worst))
+    assert np.abs(at_limit - 1j * found.omega).min() < 1e-6 * found.omega
+    delta = 2 * (found.worst - 1) / (found.worst + 1)
+    assert np.abs(delta) == pytest.approx([found.disk] * 2)
+    draw = np.random.default_rng(1964)
+    inside = found.disk * 0.995 * np.exp(2j * np.pi * draw.random((4000, 2)))
+    poles = np.linalg.eigvals(simultaneous_margins.scaled(A, (1 + inside / 2) / (1 - inside / 2)))
+    assert poles.real.max() < 0
+
+
+@pytest.mark.parametrize("name", BOTH)
+def test_gain_and_phase_margins_are_those_of_the_disk(name):
+    found, chosen = BOTH[name], {"by hand": BY_HAND, "modest": MODEST}[name]
+    A = robustness._matrix(EQS, chosen)
+    turns = np.exp(1j * np.radians(0.999 * found.phase) * np.array([[1, 1], [1, -1], [-1, 1], [-1, -1]]))
+    ends = np.array([[x, y] for x in (found.lower, found.upper) for y in (found.lower, found.upper)])
+    for factors in (turns, ends):
+        assert np.linalg.eigvals(simultaneous_margins.scaled(A, factors)).real.max() < 0
+    for actuator in robustness.ACTUATORS:
+        single = robustness.margins(EQS, chosen, actuator)
+        assert single.lower < found.lower
+        assert found.upper < single.upper
+    assert found.one_down < found.lower
+
+
+def test_simultaneous_margins_want_a_stable_loop():
+    with pytest.raises(ValueError, match=r"gains in together: got a loop with a root at 1\.26 1/s"):
+        simultaneous_margins.together(EQS, BY_HAND | {"kK_z": 0.0, "K_A": 1.0})
 
 
 # ---- Section VIII
