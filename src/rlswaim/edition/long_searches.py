@@ -17,6 +17,7 @@ from rlswaim.edition.search import OBJECTIVES, Found, Problem, abscissas, bounds
 from rlswaim.loops.closed_loops import LOOPS, state_space
 from rlswaim.rootlocus.polynomials import characteristic_polynomial, roots
 from rlswaim.vehicle.equations import PerturbationEquations, printed_equations
+from rlswaim.vehicle.stations import LENGTH
 
 SEEDS, ROUNDS = (1964, 1965), 50
 """Of the differential evolutions: one for each seed, and generations for each unknown."""
@@ -73,7 +74,8 @@ def embedded(gains: Mapping[str, float], system: str) -> dict[str, float]:
         given = {"K_z": 0.0, "sensor": 0.0, **given}
     if system == "two_sensor" and "K_z" in given:
         given |= {"K_za": given.pop("K_z"), "K_zb": 0.0}
-        given |= {"sensor_a": given["sensor"], "sensor_b": given.pop("sensor")}
+        first = given.pop("sensor")
+        given |= {"sensor_a": first, "sensor_b": LENGTH if first < LENGTH / 2 else 0.0}
     return given
 
 
