@@ -45,7 +45,7 @@ bench: book ## time root loci and live views beside other tools, and write the p
 
 searches: $(INSTALLED) ## search all gains within the bounds again, some minutes, and store the best in data/searches.csv
 	@mkdir -p _build
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.edition.search > _build/searches.csv
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.edition.long_searches > _build/searches.csv
 	mv _build/searches.csv src/rlswaim/source/data/searches.csv
 
 test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest

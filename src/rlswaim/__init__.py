@@ -1,6 +1,7 @@
 """An executable, critical edition of R. L. Swaim, *Active Control of Booster Elasticity* (1964)."""
 
 from rlswaim.edition.ledger import ledger
+from rlswaim.edition.search import searches
 from rlswaim.loops.systems import dual_actuation, rate_attitude, single_sensor, two_sensor
 from rlswaim.practice.greensite import greensite
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus, root_locus
@@ -21,6 +22,7 @@ __all__ = [
     "printed_equations",
     "rate_attitude",
     "root_locus",
+    "searches",
     "single_sensor",
     "swaim_booster",
     "two_sensor",

@@ -15,7 +15,6 @@ from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
-from rlswaim.vehicle.modes import BendingMode
 
 ACTUATORS = {"thrust": 7, "jet": 8}
 """Row of each actuator in the state matrix of `dual_actuation`; the loop is opened in front of it."""
@@ -35,8 +34,26 @@ def _matrix(eqs: PerturbationEquations, gains: Mapping[str, float]) -> NDArray:
     return state_space(eqs, "dual_actuation", gains).A
 
 
-def _bent(modes: tuple[BendingMode, ...], factors: NDArray) -> tuple[BendingMode, ...]:
-    return tuple(replace(m, deflections=m.deflections * f) for m, f in zip(modes, factors, strict=True))
+def stable_matrix(eqs: PerturbationEquations, gains: Mapping[str, float], where: str) -> NDArray:
+    """Return the state matrix of a stable loop, shape (9, 9).
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gains : mapping of str to float
+        The arguments of `rlswaim.dual_actuation`.
+    where : str
+        What asks for it, for the error.
+
+    Raises
+    ------
+    ValueError
+        If the loop is not stable.
+    """
+    A = _matrix(eqs, gains)
+    if (worst := np.linalg.eigvals(A).real.max()) >= 0:
+        raise ValueError(f"gains in {where}: got a loop with a root at {worst:.3g} 1/s, wanted a stable one")
+    return A
 
 
 def misread(eqs: PerturbationEquations, gains: Mapping[str, float], by: float = 0.05) -> NDArray:
@@ -55,13 +72,15 @@ def misread(eqs: PerturbationEquations, gains: Mapping[str, float], by: float = 
     ndarray of complex, shape (16, 9)
         All combinations of signs (1/s).
     """
-    loops, at_jet = DUAL_ACTUATION.around(eqs), DUAL_ACTUATION.stations["jet"]
-    read = [
-        replace(loops, modes=_bent(eqs.modes, 1 + by * np.array(signs))).factors(**gains)
-        for signs in product((-1, 1), repeat=2)
+    loops = DUAL_ACTUATION.around(eqs)
+    read = loops.factors(**gains)
+    stations = DUAL_ACTUATION.stations.values()
+    phi = [name for entering in stations for name, (kind, _) in entering.items() if kind == "deflection"]
+    wrong = [
+        read | {name: read[name] * (1 + by * sign) for name, sign in zip(phi, signs, strict=True)}
+        for signs in product((-1, 1), repeat=len(phi))
     ]
-    pairs = [first | {name: second[name] for name in at_jet} for first, second in product(read, repeat=2)]
-    return np.linalg.eigvals(np.array([loops.family.matrices(factors) for factors in pairs]))
+    return np.linalg.eigvals(np.array([loops.family.matrices(factors) for factors in wrong]))
 
 
 def reshaped(booster: Booster, gains: Mapping[str, float], by: float = 0.05) -> NDArray:
@@ -104,9 +123,7 @@ def margins(eqs: PerturbationEquations, gains: Mapping[str, float], actuator: st
         If the loop is not stable as it is, or the actuator is unknown.
     """
     at = ACTUATORS[checks.one_of("actuator", actuator, tuple(ACTUATORS), "margins")]
-    A = _matrix(eqs, gains)
-    if (worst := np.linalg.eigvals(A).real.max()) >= 0:
-        raise ValueError(f"gains in margins: got a loop with a root at {worst:.3g} 1/s, wanted a stable one")
+    A = stable_matrix(eqs, gains, "margins")
     scaled = np.repeat(A[None], FACTORS.size, axis=0)
     scaled[:, at, :7] *= FACTORS[:, None]
     fails = FACTORS[np.linalg.eigvals(scaled).real.max(axis=1) >= 0]

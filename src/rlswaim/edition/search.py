@@ -1,11 +1,11 @@
 """Bounded global searches over all gains and stations of a control system [Sections IV to VII].
 
 The bounds stand in ``data/search_bounds.csv`` (two equal ones fix a parameter), the winners of the
-long searches in ``data/searches.csv``, which ``python -m rlswaim.edition.search`` prints.  A search
+long searches in ``data/searches.csv``, which `rlswaim.edition.long_searches` prints.  A search
 that finds something proves that it exists; one that finds nothing has not found it within these bounds.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +17,7 @@ from rlswaim.loops.control_systems import ControlledVehicle
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source import checks
 from rlswaim.source.tables import constants, read_table
-from rlswaim.vehicle.equations import PerturbationEquations, printed_equations
+from rlswaim.vehicle.equations import PerturbationEquations
 
 OBJECTIVES = {
     "all": "all roots",
@@ -28,12 +28,16 @@ OBJECTIVES = {
 """The roots whose largest real part a search minimizes; ``pair``: K_A and K_R put a pair at `WANTED`."""
 OUT_OF_BOUNDS = 1e6
 """Cost (1/s) of gains beyond the bounds, so that the search leaves them."""
-SEEDS, ROUNDS, PEOPLE = range(1964, 1970), 1000, 15
-"""For the long searches: the seeds, one evolution each; generations; loops in each for each unknown."""
+ROUNDS, PEOPLE = 1000, 15
+"""Of an evolution: generations; loops in each for each unknown."""
 
 
 class Found(NamedTuple):
-    """The best closed loop of a search: abscissa (1/s) by its objective, and how it was found."""
+    """The best closed loop of a search: abscissa (1/s) by its objective, and how it was found.
+
+    ``evolution`` and ``adaptation`` are the least that each of two independent ways found by itself;
+    nan for a search that went one way.
+    """
 
     system: str
     objective: str
@@ -41,6 +45,8 @@ class Found(NamedTuple):
     abscissa: float
     seed: int
     evaluations: int
+    evolution: float = float("nan")
+    adaptation: float = float("nan")
 
 
 def slow_bound() -> float:
@@ -114,6 +120,56 @@ def _objective(loops: ControlledVehicle, gains: Mapping[str, NDArray], objective
     return abscissas(np.linalg.eigvals(loops.matrices(**gains)), objective.endswith("apart"))
 
 
+def _place(row: Mapping[str, str], value: float) -> float:
+    """Return where in 0..1 `_spread` has a value of one parameter."""
+    low, high, spread = float(row["low"]), float(row["high"]), row["spread"]
+    if spread == "even":
+        return (value - low) / (high - low)
+    if spread == "log":
+        return float(np.log(value / low) / np.log(high / low))
+    return float((np.arcsinh(value / float(spread)) / np.arcsinh(high / float(spread)) + 1) / 2)
+
+
+class Problem:
+    """One system with one objective: costs over the unit cube of what is sought.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    system, objective : str
+        One of `LOOPS` and one of `OBJECTIVES`.
+    """
+
+    def __init__(self, eqs: PerturbationEquations, system: str, objective: str) -> None:
+        checks.one_of("objective", objective, tuple(OBJECTIVES), "search")
+        self.eqs, self.system, self.objective, self.rows = eqs, system, objective, bounds(system)
+        self.loops, self.pair = LOOPS[system].around(eqs), objective.startswith("pair")
+        self.fixed = [name for name, row in self.rows.items() if row["low"] == row["high"]]
+        kept = {*self.fixed, *(("K_A", "K_R") if self.pair else ())}
+        self.sought = [name for name in self.rows if name not in kept]
+
+    def gains(self, u: NDArray) -> dict[str, NDArray]:
+        """Return gains and stations at places ``u``, shape (n, S), of the cube."""
+        chosen = {name: _spread(self.rows[name], x) for name, x in zip(self.sought, u, strict=True)}
+        chosen |= {name: _spread(self.rows[name], np.zeros(u.shape[1])) for name in self.fixed}
+        return self.loops.with_pair(chosen) if self.pair else chosen
+
+    def cost(self, u: NDArray) -> NDArray:
+        """Return the abscissas (1/s) at places ``u``, shape (n, S); `OUT_OF_BOUNDS` where K_A or K_R is."""
+        g = self.gains(u)
+        outside = np.any([~(np.abs(g[n]) <= float(self.rows[n]["high"])) for n in ("K_A", "K_R")], axis=0)
+        inside = {name: np.where(outside, 1.0, x) for name, x in g.items()}
+        return np.where(outside, OUT_OF_BOUNDS, _objective(self.loops, inside, self.objective))
+
+    def place(self, gains: Mapping[str, float]) -> NDArray:
+        """Return the place in the cube of given ``gains`` and stations."""
+        return np.array([_place(self.rows[name], gains[name]) for name in self.sought])
+
+    def rounded(self, u: NDArray) -> dict[str, float]:
+        """Return gains and stations at one place ``u``, shape (n,), to nine digits."""
+        return {name: float(f"{x[0]:.9g}") for name, x in self.gains(u[:, None]).items()}
+
+
 def search(
     eqs: PerturbationEquations,
     system: str,
@@ -148,27 +204,10 @@ def search(
     ValueError
         If the system or the objective is unknown.
     """
-    rows = bounds(system)
-    checks.one_of("objective", objective, tuple(OBJECTIVES), "search")
-    loops, pair = LOOPS[system].around(eqs), objective.startswith("pair")
-    fixed = {name for name, row in rows.items() if row["low"] == row["high"]}
-    sought = [name for name in rows if name not in fixed | ({"K_A", "K_R"} if pair else set())]
-
-    def gains(u: NDArray) -> dict[str, NDArray]:
-        chosen = {name: _spread(rows[name], x) for name, x in zip(sought, u, strict=True)}
-        chosen |= {name: _spread(rows[name], np.zeros(u.shape[1])) for name in fixed}
-        return loops.with_pair(chosen) if pair else chosen
-
-    def cost(u: NDArray) -> NDArray:
-        g = gains(u)
-        outside = np.any([~(np.abs(g[n]) <= float(rows[n]["high"])) for n in ("K_A", "K_R")], axis=0)
-        inside = {name: np.where(outside, 1.0, x) for name, x in g.items()}
-        return np.where(outside, OUT_OF_BOUNDS, _objective(loops, inside, objective))
-
-    cube = [(0.0, 1.0)] * len(sought)
+    problem = Problem(eqs, system, objective)
     best = differential_evolution(
-        cost,
-        cube,
+        problem.cost,
+        [(0.0, 1.0)] * len(problem.sought),
         seed=seed,
         popsize=people,
         maxiter=rounds,
@@ -177,9 +216,10 @@ def search(
         vectorized=True,
         updating="deferred",
     )
-    winner = {name: float(f"{x[0]:.9g}") for name, x in gains(best.x[:, None]).items()}
-    value = _objective(loops, {name: np.array([x]) for name, x in winner.items()}, objective)
-    return Found(system, objective, winner, float(value[0]), seed, (rounds + 1) * people * len(sought))
+    winner = problem.rounded(best.x)
+    value = _objective(problem.loops, {name: np.array([x]) for name, x in winner.items()}, objective)
+    count = (rounds + 1) * people * len(problem.sought)
+    return Found(system, objective, winner, float(value[0]), seed, count)
 
 
 def winners() -> tuple[Found, ...]:
@@ -194,9 +234,23 @@ def winners() -> tuple[Found, ...]:
             g["abscissa"],
             int(g["seed"]),
             int(g["evaluations"]),
+            g.get("evolution", np.nan),
+            g.get("adaptation", np.nan),
         )
         for key, g in table.items()
     )
+
+
+def searches() -> dict[tuple[str, str], Found]:
+    """Return the winners of the long searches, the best closed loops that were found within the bounds.
+
+    Returns
+    -------
+    dict of (str, str) to Found
+        By system and objective: ``abscissa`` (1/s), and ``gains`` named as the arguments of the system's
+        function.
+    """
+    return {(found.system, found.objective): found for found in winners()}
 
 
 def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str, str]]:
@@ -248,26 +302,3 @@ def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
         "slow real root (1/s)": "none" if np.isnan(slow) else f"{slow:+.2g}",
         "its time constant (s)": f"{1 / abs(slow):.0f}" if abs(slow) > 0 else "",
     }
-
-
-def long_searches(eqs: PerturbationEquations) -> Iterator[Found]:
-    """Yield the best of the long searches for each system of ``eqs`` and each objective."""
-    for system in LOOPS:
-        for objective in OBJECTIVES:
-            tries = [search(eqs, system, objective, seed) for seed in SEEDS]
-            yield min(tries, key=lambda found: found.abscissa)
-
-
-def main() -> None:
-    """Print the table ``data/searches.csv``."""
-    print("system,objective,parameter,value,unit")
-    for found in long_searches(printed_equations()):
-        units = {name: row["unit"] for name, row in bounds(found.system).items()}
-        rows = [(name, f"{value:.9g}", units[name]) for name, value in found.gains.items()]
-        rows += [("abscissa", f"{found.abscissa:.5g}", "1/s"), ("seed", f"{found.seed}", "1")]
-        for row in [*rows, ("evaluations", f"{found.evaluations * len(SEEDS)}", "1")]:
-            print(found.system, found.objective, *row, sep=",", flush=True)
-
-
-if __name__ == "__main__":
-    main()

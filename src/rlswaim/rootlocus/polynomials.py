@@ -21,7 +21,7 @@ def determinant(matrix: NDArray) -> NDArray:
     n, _, m = matrix.shape
     if n == 1:
         return matrix[0, 0].copy()
-    total = np.zeros(n * (m - 1) + 1)
+    total = np.zeros(n * (m - 1) + 1, matrix.dtype)  # fractions stay fractions
     for j in range(n):
         minor = np.delete(matrix[1:], j, axis=1)
         total += (-1) ** j * np.convolve(matrix[0, j], determinant(minor))
