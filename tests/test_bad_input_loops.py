@@ -33,7 +33,7 @@ OF_A_NUMBER = {
     "kK_z": lambda eqs, x: closures.closure_2_open_loop(eqs, JET, x),
     "kK_z of theta": lambda eqs, x: closures.theta_numerator(eqs, JET, x),
     "kK_z of a fit": lambda eqs, x: printed_closures.fitted_deflections(eqs, JET, x),
-    "largest": lambda eqs, x: table_3.gains_to(x, 5),
+    "largest": lambda eqs, x: table_3.trial(eqs, 1, JET, x),
     "b of a sensor": lambda eqs, x: transfer_functions.displacement_numerator(eqs, 140.0, x),
     "K_C": named_branches.open_loop_parts,
     "K_R": lambda eqs, x: transfer_functions.theta_loop(eqs, 10.0, x, 60.0),

@@ -100,9 +100,8 @@ def test_closure_2_contains_delta_and_the_printed_one_does_not():
     assert np.abs(printed[:, None] - delta[delta != 0]).min(axis=0).min() > 0.02
 
 
-@pytest.mark.parametrize("points", [600, 1500])
-def test_table_3(points):
-    pairs = table_3.trials(EQS, points)
+def test_table_3():
+    pairs = table_3.trials(EQS)
     assert [p.case for p in pairs] == list(range(1, 25))
     assert {p.case for p in pairs if p.outcome == "rises throughout"} == {1, 2, 4, 7, 11, 13, 14, 19}
     assert {p.case for p in pairs if p.steadies} == {1, 4}
@@ -111,7 +110,7 @@ def test_table_3(points):
 
 @pytest.mark.parametrize("case", [21, 22, 23, 24])
 def test_last_pairs_stand_where_the_direct_effect_vanishes(case):
-    pair = table_3.trials(EQS, 5)[case - 1]
+    pair = table_3.trials(EQS)[case - 1]
     near = closures.direct_response(EQS, pair.sensor + np.array([-2.5, 2.5]), np.full(2, pair.jet))
     assert near[0] * near[1] < 0
 

@@ -196,8 +196,9 @@ def test_verdicts_within_five_percent(read):
         for word in ("robustly yes", "robustly no", "depends on the reading")
     }
     assert judged["robustly yes"] == {1, 2, 4, 7, 11, 13, 14, 19}
-    assert judged["depends on the reading"] == {16}
-    assert judged["robustly no"] == {r.nominal.case for r in read if r.barred}
+    assert judged["depends on the reading"] == set()
+    # Case 16 falls below its own frequency between gains that a coarse grid steps over.
+    assert judged["robustly no"] == {r.nominal.case for r in read if r.barred} | {16}
     assert {r.nominal.case for r in read if r.steadies} == {1, 4}
     assert all(r.steadies == r.total for r in read if r.nominal.case in {1, 4})
     assert 0 < read[21].ends < read[21].total == 17

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from rlswaim.edition.adaptation import adapted
 from rlswaim.edition.search import OBJECTIVES, Found, Problem, abscissas, bounds, search, searches
 from rlswaim.loops.closed_loops import LOOPS, state_space
-from rlswaim.rootlocus.polynomials import characteristic_polynomial, roots
+from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
+from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle.equations import PerturbationEquations, printed_equations
 from rlswaim.vehicle.stations import LENGTH
 

@@ -1,7 +1,9 @@
 """Table 3: what closure 1 does to both bending modes for each pair of a sensor and a jet."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
+import control
 import numpy as np
 from numpy.typing import NDArray
 
@@ -42,50 +44,51 @@ def pairs() -> tuple[tuple[int, float, float], ...]:
     return tuple((int(case), sensor, jet) for case, sensor, jet in zip(*columns, strict=True))
 
 
-def trials(eqs: PerturbationEquations, points: int = 600) -> tuple[Trial, ...]:
-    """Return what closure 1 does for each pair of Table 3.
-
-    Parameters
-    ----------
-    eqs : PerturbationEquations
-    points : int
-        Gains that each locus is followed at, up to that of Figure 24.
-
-    Returns
-    -------
-    tuple of Trial
-    """
+def trials(eqs: PerturbationEquations) -> tuple[Trial, ...]:
+    """Return what becomes of each pair of Table 3 up to the gain of Figure 24; ``eqs`` are the equations."""
     design, largest = final_design()
-    gains = gains_to(largest, points)
     return tuple(
-        trial(eqs, case, design._replace(sensor=sensor, jet=jet), gains) for case, sensor, jet in pairs()
+        trial(eqs, case, design._replace(sensor=sensor, jet=jet), largest) for case, sensor, jet in pairs()
     )
 
 
-def gains_to(largest: float, points: int) -> NDArray:
-    """Return the sizes of gains at which a locus is followed: 0, and then evenly spaced logarithms.
+def _in_units(opened: control.TransferFunction, size: float) -> control.TransferFunction:
+    """Return an open loop in s over a size: its roots of that size lie on the unit circle."""
+    top, bottom = (p[0][0] * size ** np.arange(p[0][0].size - 1.0, -1, -1) for p in (opened.num, opened.den))
+    return control.tf(top / bottom[0], bottom / bottom[0], True)
+
+
+def deciding_gains(opened: control.TransferFunction, sizes: Sequence[float], largest: float) -> NDArray:
+    """Return the gains at which something can change in what is said of a trial.
+
+    At such a gain two roots meet on the real axis, a root crosses the imaginary axis, or a root is as
+    far from the origin as an elastic pole without the jet.  Between two of them nothing changes.
 
     Parameters
     ----------
+    opened : TransferFunction
+        Closure 1's open loop for k K_z = 1.
+    sizes : sequence of float
+        Distances of the elastic poles from the origin (rad/s).
     largest : float
-        The last gain; its sign plays no part.
-    points : int
-        How many gains follow the 0; the first of them is 1e-7 of the last.
+        Gains of larger size are left out; its sign plays no part.
 
     Returns
     -------
-    ndarray, shape (points + 1,)
-
-    Raises
-    ------
-    ValueError
-        If the largest gain is not finite.
+    ndarray, shape (K,)
+        Increasing, of both signs (lb s/ft).
     """
-    size = abs(checks.real("largest", largest, "gains_to"))
-    return np.concatenate([[0.0], np.geomspace(1e-7, 1.0, points) * size])
+    here = root_locus(opened, [0.0])
+    found = [
+        meeting.gain for meeting in here.break_aways if abs(meeting.point.imag) <= 1e-9 * abs(meeting.point)
+    ]
+    found += [crossing.gain for crossing in here.crossings]
+    for size in sizes:
+        found += [crossing.gain for crossing in root_locus(_in_units(opened, size), [0.0]).crossings]
+    return np.unique([gain for gain in found if abs(gain) <= abs(largest)])
 
 
-def trial(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) -> Trial:
+def trial(eqs: PerturbationEquations, case: int, loop: JetLoop, largest: float) -> Trial:
     """Return what closure 1 does for one pair of stations, for the better sign of k K_z.
 
     Parameters
@@ -95,24 +98,35 @@ def trial(eqs: PerturbationEquations, case: int, loop: JetLoop, gains: NDArray) 
         Number of the pair in Table 3.
     loop : JetLoop
         The jet's loop with the stations of the pair.
-    gains : ndarray, shape (K,)
-        Sizes of k K_z (lb s/ft), increasing from 0.
+    largest : float
+        Largest size of k K_z (lb s/ft); its sign plays no part.
 
     Returns
     -------
     Trial
+
+    Raises
+    ------
+    ValueError
+        If the largest gain is not finite.
     """
-    opened = closure_1_open_loop(eqs, loop)
-    found = [_trial(eqs, case, loop, sign, root_locus(opened, sign * gains)) for sign in (1, -1)]
+    size = abs(checks.real("largest", largest, "trial"))
+    opened, elastic = closure_1_open_loop(eqs, loop), elastic_poles(eqs)
+    decide = deciding_gains(opened, [abs(pole) for pole in elastic], size)
+    found = []
+    for sign in (1, -1):
+        edges = np.unique(np.concatenate([[0.0], (sign * decide)[sign * decide > 0], [size]]))
+        followed = np.concatenate([[0.0], (edges[:-1] + edges[1:]) / 2, [size]])
+        found.append(_trial(case, loop, sign, elastic, root_locus(opened, sign * followed)))
     return max(found, key=lambda s: (OUTCOMES.index(s.outcome), min(s.factors)))
 
 
-def _trial(eqs: PerturbationEquations, case: int, loop: JetLoop, sign: int, locus: RootLocus) -> Trial:
-    elastic = elastic_poles(eqs)
+def _trial(case: int, loop: JetLoop, sign: int, elastic: Sequence[complex], locus: RootLocus) -> Trial:
+    """Return the trial for one sign of the gain, from one root set between any two deciding gains."""
     way = locus.roots[:, [int(np.argmin(np.abs(locus.roots[0] - pole))) for pole in elastic]]
     factors = np.abs(way) / np.abs(way[0])
-    good = ((factors >= 1 - 1e-6) & (way.imag > 1e-6)).all(axis=1)
-    right = (locus.roots.real > 1e-7).sum(axis=1)
+    good = ((factors[1:] >= 1) & (way[1:].imag > 0)).all(axis=1)
+    right = (locus.roots[1:].real > 1e-7).sum(axis=1)  # the root that rests at the origin is none
     return Trial(
         case,
         loop.sensor,

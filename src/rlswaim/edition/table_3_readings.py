@@ -15,7 +15,7 @@ from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
 from rlswaim.edition.printed_closures import final_design
-from rlswaim.edition.table_3 import OUTCOMES, Trial, gains_to, trial
+from rlswaim.edition.table_3 import OUTCOMES, Trial, trial
 from rlswaim.loops.closures import JetLoop, literal_bracket
 from rlswaim.source import checks
 from rlswaim.vehicle.coupling import elastic_poles
@@ -119,7 +119,6 @@ def readings(
     within: float = 0.05,
     least: float = 0.0,
     samples: int = 16,
-    points: int = 150,
     seed: int = 1964,
 ) -> tuple[Readings, ...]:
     """Return what closure 1 does for each pair of Table 3 if the deflections are read otherwise.
@@ -135,8 +134,6 @@ def readings(
         The least half width, for deflections near a node.
     samples : int
         Readings within the box besides its 16 corners.
-    points : int
-        Gains that each locus is followed at.
     seed : int
 
     Returns
@@ -148,13 +145,12 @@ def readings(
     inside = np.random.default_rng(seed).uniform(-1, 1, (samples, 4))
     offsets = np.vstack([CORNERS, inside])
     design, largest = final_design()
-    gains = gains_to(largest, points)
     found = []
     for pair in pairs:
         loop = design._replace(sensor=pair.sensor, jet=pair.jet)
         phi = deflections(eqs, loop)
         box = phi + np.maximum(within * np.abs(phi), least) * offsets
-        others = [trial(read_so(eqs, loop, reading), pair.case, loop, gains) for reading in box]
+        others = [trial(read_so(eqs, loop, reading), pair.case, loop, largest) for reading in box]
         rates = starting_rates(eqs, loop, box[: len(CORNERS)])
         level = np.array([OUTCOMES.index(p.outcome) for p in (pair, *others)])
         found.append(
