@@ -102,6 +102,10 @@ class _Try(NamedTuple):
     seed: int
 
 
+def _abscissa(found: _Try) -> float:
+    return found.abscissa
+
+
 def _by_adaptation(problem: Problem, seed: int, start: NDArray | None = None) -> tuple[dict[str, float], int]:
     """Return gains that adaptation finds from a place or, without one, a good random one; and its loops."""
     rng, n = np.random.default_rng(seed), len(problem.sought)
@@ -154,11 +158,12 @@ def long_search(
         other.append(tried(gains, seed))
         count += more
     starts = [*(done[inner] for inner in constrained(*key)), *([last] if last else [])]
+    alone = [min(map(_abscissa, ways)) for ways in (one, other)]
     tries = [*one, *other, *(tried(embedded(s.gains, key[0]), s.seed) for s in starts)]
-    best = min(tries)
+    best = min(tries, key=_abscissa)
     gains, more = _by_adaptation(problem, best.seed, problem.place(best.gains))
-    best = min(best, tried(gains, best.seed))
-    return Found(*key, best.gains, best.abscissa, best.seed, count + more, min(one)[0], min(other)[0])
+    best = min(best, tried(gains, best.seed), key=_abscissa)
+    return Found(*key, best.gains, best.abscissa, best.seed, count + more, *alone)
 
 
 def long_searches(eqs: PerturbationEquations) -> Iterator[Found]:
