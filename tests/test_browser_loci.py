@@ -74,7 +74,8 @@ class TestLoci:
             for what in [w for w in sent(section)["loci"] if w["of"] == "poles"]:
                 locus = run(page, "module.rootLocus", section, state, VIEW, what)
                 p, end = polynomial_along(section, state, what), locus["end"]
-                D, N = p(0.0), p(1.0) - p(0.0)
+                D = p(0.0)
+                N = (p(end) - D) / end  # a small gain would leave little of N beside D
                 tf = control.tf(N[::-1].tolist(), D[::-1].tolist())
                 theirs = rl.root_locus(tf, gains=[0.0])
                 ours = sorted(b.gain for b in theirs.break_aways if 0 < b.gain / end < 1)

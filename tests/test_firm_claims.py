@@ -8,7 +8,8 @@ import pytest
 import rlswaim as rl
 from rlswaim.edition import firm_claims
 from rlswaim.edition.firm_claims import CLAIMS
-from rlswaim.edition.search import abscissas, winners
+from rlswaim.edition.search import winners
+from rlswaim.edition.slow_roots import abscissas
 from rlswaim.loops import certificates
 from rlswaim.loops.closed_loops import LOOPS
 from rlswaim.rootlocus.polynomials import roots

@@ -10,7 +10,8 @@ from scipy.signal import ZerosPolesGain
 
 import rlswaim as rl
 from exact import exact_roots, relative_errors
-from rlswaim.loops.closures import closure_1, final_design
+from rlswaim.edition.printed_closures import final_design
+from rlswaim.loops.closures import closure_1_open_loop
 from rlswaim.loops.transfer_functions import inner_loop
 from systems import mismatch
 
@@ -119,7 +120,7 @@ def test_a_common_factor_stands_still_and_meets_nothing(loop):
 def test_the_report_s_own_cancellations_make_no_break_away():
     """The attitude angle is a common factor s of the report's inner loops."""
     eqs = rl.printed_equations()
-    for loop in (inner_loop(eqs, 10, 140), closure_1(eqs, final_design()[0])):
+    for loop in (inner_loop(eqs, 10, 140), closure_1_open_loop(eqs, final_design()[0])):
         locus = rl.root_locus(loop)
         assert (0.0 + 0j) in locus.zeros
         assert all(abs(b.point) > 1e-9 for b in locus.break_aways)

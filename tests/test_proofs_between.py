@@ -8,7 +8,7 @@ import pytest
 
 import rlswaim as rl
 from rlswaim.edition import conclusions
-from rlswaim.edition.search import slow_bound
+from rlswaim.edition.slow_roots import slow_bound
 from rlswaim.loops import certificates, exact_programs, proofs_between
 
 PLAIN, WITH = rl.printed_equations(), rl.printed_equations(gravity=True)

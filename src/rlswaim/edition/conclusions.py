@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_continuous_lyapunov
 
 from rlswaim.edition.designs import found_gains
-from rlswaim.edition.search import abscissas, search, slow_bound, slow_roots
+from rlswaim.edition.search import search
+from rlswaim.edition.slow_roots import abscissas, slow_bound, slow_roots
 from rlswaim.loops import closed_loops
 from rlswaim.loops.certificates import slow_root_certificate
 from rlswaim.loops.rigid_body_design import WANTED, rigid_body, rigid_design

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlswaim.edition.search import slow_bound
+from rlswaim.edition.slow_roots import slow_bound
 from rlswaim.loops.certificates import slow_root_certificate, stability_certificate
 from rlswaim.source.tables import half_unit
 from rlswaim.vehicle.equations import (

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.edition.adaptation import adapted
-from rlswaim.edition.search import OBJECTIVES, Found, Problem, abscissas, bounds, search, searches
+from rlswaim.edition.search import OBJECTIVES, Found, Problem, bounds, search, searches
+from rlswaim.edition.slow_roots import abscissas
 from rlswaim.loops.closed_loops import LOOPS, state_space
 from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
 from rlswaim.rootlocus.polynomials import roots

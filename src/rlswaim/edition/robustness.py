@@ -9,7 +9,7 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.edition.search import abscissas, slow_roots
+from rlswaim.edition.slow_roots import abscissas, slow_roots
 from rlswaim.loops.closed_loops import state_space
 from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.source import checks

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import differential_evolution
 
+from rlswaim.edition.slow_roots import abscissas, slow_roots
 from rlswaim.loops.closed_loops import LOOPS, polynomial, state_space
 from rlswaim.loops.control_systems import ControlledVehicle
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, read_table
+from rlswaim.source.tables import read_table
 from rlswaim.vehicle.equations import PerturbationEquations
 
 OBJECTIVES = {
@@ -49,39 +50,10 @@ class Found(NamedTuple):
     adaptation: float = float("nan")
 
 
-def slow_bound() -> float:
-    """Return the size (1/s) below which a real root is slow: its time constant is longer than the burn."""
-    return 1 / constants("vehicle")["t_burn"]
-
-
 def bounds(system: str) -> dict[str, dict[str, str]]:
     """Return the rows of ``search_bounds`` of a ``system``, by parameter."""
     checks.one_of("system", system, tuple(LOOPS), "search")
     return {row["parameter"]: row for row in read_table("search_bounds") if row["system"] == system}
-
-
-def slow_roots(poles: NDArray) -> NDArray:
-    """Return the slow real root (1/s) in each row of ``poles`` (S, n), nan where there is none."""
-    nearest = np.take_along_axis(poles, np.abs(poles).argmin(axis=1)[:, None], axis=1)[:, 0]
-    return np.where((nearest.imag == 0) & (np.abs(nearest) <= slow_bound()), nearest.real, np.nan)
-
-
-def abscissas(poles: NDArray, apart: bool) -> NDArray:
-    """Return the largest real part (1/s) in each row of poles, with or without a slow real pole.
-
-    Parameters
-    ----------
-    poles : ndarray of complex, shape (S, n)
-        In 1/s.
-    apart : bool
-        Whether a slow real root is left out.
-
-    Returns
-    -------
-    ndarray, shape (S,)
-    """
-    at, slow = np.abs(poles).argmin(axis=1)[:, None], apart & ~np.isnan(slow_roots(poles))[:, None]
-    return np.where(slow & (np.arange(poles.shape[1]) == at), -np.inf, poles.real).max(axis=1)
 
 
 def _spread(row: Mapping[str, str], u: NDArray) -> NDArray:

@@ -6,7 +6,17 @@ from scipy.optimize import linear_sum_assignment
 
 
 def squared_distances(a: NDArray, b: NDArray) -> NDArray:
-    """Return the squares of the distances of all roots in sets ``a`` (K, n) to all in sets ``b`` (K, m)."""
+    """Return the squares of the distances of all roots of one set to all of another, for many sets.
+
+    Parameters
+    ----------
+    a : ndarray of complex, shape (K, n)
+    b : ndarray of complex, shape (K, m)
+
+    Returns
+    -------
+    ndarray, shape (K, n, m)
+    """
     square = np.ascontiguousarray(a.real)[:, :, None] - np.ascontiguousarray(b.real)[:, None]
     square *= square
     other = np.ascontiguousarray(a.imag)[:, :, None] - np.ascontiguousarray(b.imag)[:, None]

@@ -187,5 +187,16 @@ def _nearest(*ends: RootSets) -> NDArray:
 
 
 def passes_infinity(loop: OpenLoop, a: NDArray, b: NDArray) -> NDArray:
-    """Return whether a root of the ``loop`` passes infinity between gains ``a`` and ``b``: -1/D is there."""
+    """Return whether a root passes infinity between two gains: whether -1/D lies there.
+
+    Parameters
+    ----------
+    loop : OpenLoop
+    a, b : ndarray, shape (K,)
+        The two gains of each interval.
+
+    Returns
+    -------
+    ndarray of bool, shape (K,)
+    """
     return np.asarray((1 + a * loop.D > 0) != (1 + b * loop.D > 0))

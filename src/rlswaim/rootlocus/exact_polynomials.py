@@ -28,14 +28,26 @@ class Exact(NamedTuple):
 
 
 def plus(a: Exact, b: Exact) -> Exact:
-    """Return the sum of two polynomials ``a`` and ``b``."""
+    """Return the sum of two polynomials.
+
+    Parameters
+    ----------
+    a, b : Exact
+    """
     exponent = max(a.exponent, b.exponent)
     scaled = [[c << (exponent - p.exponent) for c in p.integers] for p in (a, b)]
     return Exact([sum(pair) for pair in zip_longest(*scaled, fillvalue=0)], exponent)
 
 
 def times(polynomial: Exact, factor: float) -> Exact:
-    """Return a ``polynomial`` times a ``factor``."""
+    """Return a polynomial times a number.
+
+    Parameters
+    ----------
+    polynomial : Exact
+    factor : float
+        It is taken without rounding.
+    """
     over, under = factor.as_integer_ratio()
     integers = [c * over for c in polynomial.integers]
     return Exact(integers, polynomial.exponent + under.bit_length() - 1)

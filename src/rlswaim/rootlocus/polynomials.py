@@ -40,7 +40,18 @@ def derivative(coefficients: NDArray) -> NDArray:
 
 
 def values(coefficients: NDArray, s: NDArray) -> NDArray:
-    """Return a polynomial of given ``coefficients`` at points ``s``, shape (m,)."""
+    """Return a polynomial at some points.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (n + 1,)
+        Constant term first.
+    s : ndarray of complex, shape (m,)
+
+    Returns
+    -------
+    ndarray of complex, shape (m,)
+    """
     return np.vander(s, coefficients.size, increasing=True) @ coefficients
 
 

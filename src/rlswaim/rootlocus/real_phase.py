@@ -33,7 +33,18 @@ class Phase(NamedTuple):
         return (-self.weights * self.real)[:, None] / (self.real[:, None] ** 2 + square)
 
     def slope_bounds(self, low: NDArray, high: NDArray) -> tuple[NDArray, NDArray]:
-        """Return bounds of the derivative between ``low`` and ``high``."""
+        """Return bounds of the derivative of the phase on intervals.
+
+        Parameters
+        ----------
+        low, high : ndarray, shape (K,)
+            Ends of each interval (rad/s; in discrete time rad).
+
+        Returns
+        -------
+        tuple of ndarray, shape (K,)
+            The least and the most that it can be.
+        """
         before, after = low - self.imag[:, None], high - self.imag[:, None]
         least = np.maximum(np.maximum(before, -after), 0.0)
         most = np.maximum(np.abs(before), np.abs(after))

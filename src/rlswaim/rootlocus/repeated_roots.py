@@ -48,9 +48,19 @@ def points_of_polynomial(coefficients: NDArray) -> Points:
 
 
 def refined(polynomial: Exact, points: Points) -> Points:
-    """Return eigenvalues refined on the exact ``polynomial`` of the matrix, with the better known errors.
+    """Return eigenvalues refined on the exact characteristic polynomial, with errors that are smaller.
 
-    A group of ``points`` nearer to each other than their errors explain is one repeated root.
+    Points that are nearer to each other than their errors explain are one repeated root.
+
+    Parameters
+    ----------
+    polynomial : Exact
+    points : Points
+        The eigenvalues with their errors.
+
+    Returns
+    -------
+    Points
     """
     integers = polynomial.integers[: polynomial.degree + 1]
     at_origin = next((i for i, c in enumerate(integers) if c), 0)
@@ -76,7 +86,19 @@ def grouped(points: Points) -> Points:
 
 
 def linked(points: NDArray, reach: NDArray) -> list[list[int]]:
-    """Return the groups of ``points`` that chains join: neighbors whose ``reach`` spans their distance."""
+    """Return the groups of points that chains of neighbors join.
+
+    Parameters
+    ----------
+    points : ndarray of complex, shape (n,)
+    reach : ndarray, shape (n,)
+        Two points are neighbors if their reaches together span their distance.
+
+    Returns
+    -------
+    list of list of int
+        Groups of at least two points, by their indices.
+    """
     near = np.abs(points[:, None] - points) <= reach[:, None] + reach
     if near.sum() == points.size:
         return []
