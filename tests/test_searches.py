@@ -14,6 +14,7 @@ from rlswaim.edition import (
     long_searches,
     search,
 )
+from rlswaim.edition.slow_roots import abscissas, slow_bound
 from rlswaim.loops import certificates, closed_loops, rigid_body_design
 from rlswaim.loops.closed_loops import LOOPS
 from rlswaim.loops.control_systems import RATE_ATTITUDE
@@ -26,7 +27,7 @@ EQS = rl.printed_equations()
 OWN = rl.perturbation_equations(rl.swaim_booster())
 WINNERS = search.winners()
 IDS = [f"{w.system}-{w.objective}" for w in WINNERS]
-SLOW = search.slow_bound()
+SLOW = slow_bound()
 
 
 def sampled(system, n=6):
@@ -99,7 +100,7 @@ def test_a_wanted_pair_takes_the_gains_that_the_coefficients_give():
     ids=["slow", "counted", "too fast", "a pair", "only one"],
 )
 def test_one_slow_real_root_is_set_apart(poles, apart, wanted):
-    assert search.abscissas(np.array([poles], complex), apart)[0] == wanted
+    assert abscissas(np.array([poles], complex), apart)[0] == wanted
 
 
 def test_spread_covers_the_bounds():
@@ -192,7 +193,7 @@ def test_winner_holds_two_ways(at):
     winner, state = WINNERS[at], exact_poles(at)
     other = roots(closed_loops.polynomial(EQS, winner.system, winner.gains))
     assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
-    value = search.abscissas(state[None], winner.objective.endswith("apart"))[0]
+    value = abscissas(state[None], winner.objective.endswith("apart"))[0]
     assert value == pytest.approx(winner.abscissa, abs=1e-4)
     if winner.objective.startswith("pair"):
         assert np.abs(state - WANTED).min() < 1e-3
