@@ -7,7 +7,7 @@ import pytest
 import rlswaim as rl
 from bad_input import NOT_FINITE, OFF_THE_VEHICLE, cases, refused
 from rlswaim.edition import conclusions, conditioning, printed_closures, robustness, table_3, table_3_readings
-from rlswaim.loops import certificates, closed_loops, closures, named_branches, transfer_functions
+from rlswaim.loops import certificates, closed_loops, closures, gain_terms, named_branches, transfer_functions
 from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.vehicle.equations import with_reading
 
@@ -41,8 +41,8 @@ OF_A_NUMBER = {
     "gain": lambda eqs, x: transfer_functions.closed_polynomial(PLANT, x),
     "numerator": lambda eqs, x: transfer_functions.transfer([x], [1.0, 1.0]),
     "denominator": lambda eqs, x: transfer_functions.transfer([1.0], [x, 1.0]),
-    "K_C of a pole": lambda eqs, x: certificates.gains_for_pole(eqs, -1 + 1j, x, 60.0),
-    "pole": lambda eqs, x: certificates.gains_for_pole(eqs, complex(x, 1.0), 10.0, 60.0),
+    "K_C of a pole": lambda eqs, x: gain_terms.gains_for_pole(eqs, -1 + 1j, x, 60.0),
+    "pole": lambda eqs, x: gain_terms.gains_for_pole(eqs, complex(x, 1.0), 10.0, 60.0),
     "slow": lambda eqs, x: certificates.slow_root_certificate(eqs, 60.0, slow=x),
     "within": lambda eqs, x: table_3_readings.readings(eqs, (), within=x),
     "least": lambda eqs, x: table_3_readings.readings(eqs, (), least=x),
@@ -60,7 +60,7 @@ OF_A_STATION = {
     "reading": lambda eqs, x: with_reading(eqs, x, (1.0, 1.0)),
     "displacement": transfer_functions.displacement_numerator,
     "attitude": transfer_functions.attitude_numerator,
-    "gyro": certificates.gain_terms,
+    "gyro": gain_terms.gain_terms,
     "sensor": lambda eqs, x: certificates.stability_certificate(eqs, None, [x]),
     "many sensors": lambda eqs, x: DUAL_ACTUATION.around(eqs).matrices(**many(sensor=x)),
     "many jets": lambda eqs, x: DUAL_ACTUATION.around(eqs).matrices(**many(jet=x)),

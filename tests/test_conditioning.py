@@ -14,7 +14,7 @@ from rlswaim.edition import conditioning, printed_closures
 from rlswaim.edition.conclusions import closed_loop
 from rlswaim.figures.conditioning import draw_sensitivities
 from rlswaim.loops import closures
-from rlswaim.loops.certificates import gain_terms
+from rlswaim.loops.gain_terms import gain_terms
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle.equations import COEFFICIENTS
 

@@ -10,7 +10,7 @@ from numpy.polynomial import polynomial as npp
 
 import rlswaim as rl
 from rlswaim.edition import section_4, section_5, section_6
-from rlswaim.loops import certificates, factors, named_branches
+from rlswaim.loops import certificates, factors, gain_terms, named_branches
 from rlswaim.loops import transfer_functions as tf
 from rlswaim.rootlocus.polynomials import roots
 
@@ -59,7 +59,7 @@ def test_two_inner_loops_close_in_either_order(K_C, K_za, K_zb, a, b):
 
 @given(K_A=gain(20), K_C=gain(20), K_R=gain(2), K_z=gain(0.5), sensor=SENSOR)
 def test_the_terms_in_the_gains_add_up_to_the_characteristic_polynomial(K_A, K_C, K_R, K_z, sensor):
-    terms = certificates.gain_terms(EQS, None, [sensor])
+    terms = gain_terms.gain_terms(EQS, None, [sensor])
     values = (1, K_C, K_A * K_C, K_A * K_C * K_R, K_C * K_z)
     total = sum(value * term for value, term in zip(values, terms.values(), strict=True))
     loop = tf.outer_loop(EQS, K_C, K_R, [(K_z, sensor)])
@@ -69,7 +69,7 @@ def test_the_terms_in_the_gains_add_up_to_the_characteristic_polynomial(K_A, K_C
 
 @given(real=st.floats(-3, 3), imag=st.floats(0.2, 5), K_C=st.floats(0.5, 30), gyro=STATION)
 def test_gains_for_a_pole_put_it_there(real, imag, K_C, gyro):
-    K_A, K_R = certificates.gains_for_pole(EQS, complex(real, imag), K_C, gyro)
+    K_A, K_R = gain_terms.gains_for_pole(EQS, complex(real, imag), K_C, gyro)
     assume(1e-2 < abs(K_A) < 1e3 and abs(K_A * K_R) < 1e3)
     found = closed_roots(tf.theta_loop(EQS, K_C, K_R, gyro), K_A)
     assert np.abs(found - complex(real, imag)).min() < 1e-4
@@ -77,7 +77,7 @@ def test_gains_for_a_pole_put_it_there(real, imag, K_C, gyro):
 
 def test_a_real_pole_leaves_a_gain_free():
     with pytest.raises(ValueError, match="off the real axis"):
-        certificates.gains_for_pole(EQS, 1.0, 10, 60)
+        gain_terms.gains_for_pole(EQS, 1.0, 10, 60)
 
 
 def exact_certificate(terms, support):
@@ -105,7 +105,7 @@ def exact_certificate(terms, support):
 def test_no_gains_stabilize_proved_in_rational_numbers(gyro, sensors):
     found = certificates.stability_certificate(EQS, gyro, sensors)
     support = np.flatnonzero(found.weights > 1e-12)
-    weights, rest = exact_certificate(certificates.gain_terms(EQS, gyro, sensors), support)
+    weights, rest = exact_certificate(gain_terms.gain_terms(EQS, gyro, sensors), support)
     assert all(w >= 0 for w in weights)
     assert rest < 0
     assert float(rest) == pytest.approx(found.margin, rel=1e-6)

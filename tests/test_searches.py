@@ -15,7 +15,7 @@ from rlswaim.edition import (
     search,
 )
 from rlswaim.edition.slow_roots import abscissas, slow_bound
-from rlswaim.loops import certificates, closed_loops, rigid_body_design
+from rlswaim.loops import certificates, closed_loops, gain_terms, rigid_body_design
 from rlswaim.loops.closed_loops import LOOPS
 from rlswaim.loops.control_systems import RATE_ATTITUDE
 from rlswaim.loops.rigid_body_design import WANTED
@@ -85,7 +85,7 @@ def test_a_wanted_pair_is_held(system):
 
 def test_a_wanted_pair_takes_the_gains_that_the_coefficients_give():
     g = RATE_ATTITUDE.around(EQS).with_pair({"K_C": np.array([10.0]), "gyro": np.array([60.0])})
-    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(certificates.gains_for_pole(EQS, WANTED, 10.0, 60.0))
+    assert (g["K_A"][0], g["K_R"][0]) == pytest.approx(gain_terms.gains_for_pole(EQS, WANTED, 10.0, 60.0))
 
 
 @pytest.mark.parametrize(

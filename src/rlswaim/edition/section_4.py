@@ -3,8 +3,8 @@
 import numpy as np
 
 from rlswaim.edition.matching import as_written, choices, roots_beside
-from rlswaim.loops.certificates import gain_terms, gains_for_pole
 from rlswaim.loops.factors import factored
+from rlswaim.loops.gain_terms import gain_terms, gains_for_pole
 from rlswaim.loops.named_branches import named_locus, open_loop_parts
 from rlswaim.loops.rigid_body_design import WANTED, RigidBody, rigid_body, rigid_design
 from rlswaim.loops.transfer_functions import denominator, theta_loop

@@ -10,7 +10,6 @@ import control
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim.loops.certificates import gain_terms
 from rlswaim.loops.closures import JetLoop, closure_1_polynomial, theta_numerator
 from rlswaim.loops.control_systems import (
     DUAL_ACTUATION,
@@ -19,6 +18,7 @@ from rlswaim.loops.control_systems import (
     TWO_SENSOR,
     ControlSystem,
 )
+from rlswaim.loops.gain_terms import gain_terms
 from rlswaim.source import checks
 from rlswaim.vehicle.equations import PerturbationEquations
 

@@ -177,7 +177,7 @@ class ControlledVehicle:
         Notes
         -----
         det(s I - A) is D + K_A (1 + K_R s) N; its values at K_A = 0 and 1 with K_R = 0 give D and N.
-        `certificates.gains_for_pole` does the same for one loop of Section IV.
+        `gain_terms.gains_for_pole` does the same for one loop of Section IV.
         """
         pole = checks.off_axis("pole", pole, "with_pair")
         ends = {"K_A": np.array([[0.0], [1.0]]), "K_R": np.zeros(())}
