@@ -12,7 +12,7 @@ from numpy.polynomial import polynomial as npp
 import rlswaim as rl
 from rlswaim.edition import conditioning, printed_closures
 from rlswaim.edition.conclusions import closed_loop
-from rlswaim.figures.conditioning import draw_sensitivities
+from rlswaim.figures.sensitivities import draw_sensitivities
 from rlswaim.loops import closures
 from rlswaim.loops.gain_terms import gain_terms
 from rlswaim.rootlocus.polynomials import roots
