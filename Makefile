@@ -32,7 +32,7 @@ book: $(HTML)/.built ## build the book into _build/html, warnings being errors; 
 
 test: book $(PACKAGES) ## check everything: numbers, notebooks, contracts, and each built page in Chromium
 	@$(BIN)/python tests/chromium.py
-	$(BIN)/python -m pytest $(PYTEST)
+	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST)  # the tests of a file share what they prepare
 
 fuzz: $(INSTALLED) ## throw 2,000 random cases at each kind of loop, vehicle and bad input
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py
