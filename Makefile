@@ -15,12 +15,23 @@ BIOME := $(NODE) node_modules/@biomejs/biome/bin/biome
 TSC := $(NODE) node_modules/typescript/bin/tsc
 PACKAGES := node_modules/.installed
 
+# What writes into .venv, node_modules and _build runs one at a time.
+PYTHON := $(shell for python in $(PYTHONS); do $$python -c '' 2>/dev/null && { echo $$python; break; }; done)
+LOCKED = $(if $(PYTHON),$(PYTHON) tests/one_at_a_time.py .make.lock) $(MAKE) --no-print-directory
+
+# The book is the same whatever settings a home folder has, and needs none that can be written.
+export IPYTHONDIR := $(CURDIR)/.venv/.home/ipython
+export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/.home/jupyter
+export JUPYTER_DATA_DIR := $(CURDIR)/.venv/.home/jupyter
+export JUPYTER_RUNTIME_DIR := $(CURDIR)/.venv/.home/jupyter/runtime
+export MPLCONFIGDIR := $(CURDIR)/.venv/.home/matplotlib
+
 NOTEBOOKS := $(wildcard book/*.ipynb)
 PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -name '*.py*' \) -prune -o -type f -not -path "*/.*" -print)
 FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
-.PHONY: help serve book test fuzz bench searches test-oldest test-newest lint scripts notebooks lock clean
+.PHONY: help installed packages ready serve book test fuzz bench searches test-oldest test-newest lint scripts notebooks lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -28,13 +39,23 @@ help: ## list the targets
 serve: book ## build the book and serve it on http://127.0.0.1:8000 (PORT=8001 for another port)
 	@$(BIN)/python tests/serve.py $(HTML) $(PORT)
 
-book: $(HTML)/.built ## build the book into _build/html, warnings being errors; only what changed
+installed:
+	+@$(LOCKED) $(INSTALLED)
 
-test: book $(PACKAGES) ## check everything: numbers, notebooks, contracts, and each built page in Chromium
+packages:
+	+@$(LOCKED) $(PACKAGES)
+
+ready:
+	+@$(LOCKED) $(HTML)/.built $(PACKAGES)
+
+book: ## build the book into _build/html, warnings being errors; only what changed
+	+@$(LOCKED) $(HTML)/.built
+
+test: ready ## check everything: numbers, notebooks, contracts, and each built page in Chromium
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST)  # the tests of a file share what they prepare
 
-fuzz: $(INSTALLED) ## throw 2,000 random cases at each kind of loop, vehicle and bad input
+fuzz: installed ## throw 2,000 random cases at each kind of loop, vehicle and bad input
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py
 
 bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
@@ -43,7 +64,7 @@ bench: book ## time root loci and live views beside other tools, and write the p
 	  -q --benchmark-quiet --benchmark-json=_build/benchmarks.json
 	$(BIN)/python benchmarks/table.py _build/benchmarks.json book/11-speed.md
 
-searches: $(INSTALLED) ## search all gains within the bounds again, some minutes, and store the best in data/searches.csv
+searches: installed ## search all gains within the bounds again, some minutes, and store the best in data/searches.csv
 	@mkdir -p _build
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.edition.long_searches > _build/searches.csv
 	mv _build/searches.csv src/rlswaim/source/data/searches.csv
@@ -59,14 +80,14 @@ define elsewhere
 	rm -rf $(1) && mkdir $(1)
 	git ls-files -z --cached --others --exclude-standard | xargs -0 tar -cf - | tar -xf - -C $(1)
 	git -C $(1) init -q && git -C $(1) add -A
-	$(MAKE) $(INSTALLED)
+	+$(LOCKED) $(INSTALLED)
 	$(BIN)/python -m pip install --quiet $(UV)
 	rm $(1)/requirements.txt  # its pins would count as wishes
 	cd $(1) && ../$(BIN)/uv pip compile --no-config --quiet --all-extras $(2) -o requirements.txt pyproject.toml
 	$(MAKE) -C $(1) test PYTEST=--nbval-lax  # stored pictures and digits of searches are those of the lock's versions
 endef
 
-lint: $(INSTALLED) $(PACKAGES) ## check style, types, import contracts and built scripts
+lint: packages ## check style, types, import contracts and built scripts
 	$(BIN)/ruff check src tests benchmarks book
 	$(BIN)/ruff format --check src tests benchmarks book
 	$(BIN)/mypy
@@ -75,17 +96,17 @@ lint: $(INSTALLED) $(PACKAGES) ## check style, types, import contracts and built
 	$(TSC)
 	$(NODE) build.mjs --check
 
-notebooks: $(INSTALLED) ## run all notebooks in place and leave nothing in them that changes by itself
+notebooks: installed ## run all notebooks in place and leave nothing in them that changes by itself
 	$(BIN)/jupyter execute --inplace $(NOTEBOOKS)
 	$(BIN)/nbstripout --keep-output --keep-count --keep-id \
 	  --extra-keys "metadata.widgets metadata.language_info cell.metadata.execution" $(NOTEBOOKS)
 	sed -i.bak -E 's/("model_id": ")[0-9a-f]{32}"/\100000000000000000000000000000000"/' $(NOTEBOOKS)
 	rm -f book/*.ipynb.bak
 
-scripts: $(PACKAGES) ## build the scripts of the live views and of their pages anew; commit what changes
+scripts: packages ## build the scripts of the live views and of their pages anew; commit what changes
 	$(NODE) build.mjs
 
-lock: $(INSTALLED) ## write requirements.txt anew, from the ranges in pyproject.toml
+lock: installed ## write requirements.txt anew, from the ranges in pyproject.toml
 	$(BIN)/python -m pip install --quiet $(UV)
 	$(BIN)/uv pip compile --no-config --quiet --universal --upgrade --all-extras \
 	  --custom-compile-command "make lock" --output-file requirements.txt pyproject.toml
@@ -103,9 +124,10 @@ _build/.frame: $(FRAME) _build/.library
 	rm -rf $(HTML) _build/.doctrees
 	@touch $@
 
-# Only pages changed: those run again. A build with warnings leaves nothing behind that the next could take for good.
+# Only pages changed: those run again. A build with warnings leaves nothing behind that the next could take for good,
+# no result of a notebook either, as a run that wrote a warning would be taken from the cache for ever.
 $(HTML)/.built: $(PAGES) _build/.frame
-	$(BIN)/jupyter-book build . -W -n --keep-going || { rm -rf $(HTML) _build/.doctrees; exit 1; }
+	$(BIN)/jupyter-book build . -W -n --keep-going || { rm -rf $(HTML) _build/.doctrees _build/.jupyter_cache; exit 1; }
 	@touch $@
 
 $(INSTALLED): requirements.txt pyproject.toml | $(BIN)/python
