@@ -39,13 +39,13 @@ help: ## list the targets
 serve: book ## build the book and serve it on http://127.0.0.1:8000 (PORT=8001 for another port)
 	@$(BIN)/python tests/serve.py $(HTML) $(PORT)
 
-installed:
+installed: ## set up .venv
 	+@$(LOCKED) $(INSTALLED)
 
-packages:
+packages: ## set up .venv and node_modules
 	+@$(LOCKED) $(PACKAGES)
 
-ready:
+ready: ## set up all, and build the book
 	+@$(LOCKED) $(HTML)/.built $(PACKAGES)
 
 book: ## build the book into _build/html, warnings being errors; only what changed
