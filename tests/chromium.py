@@ -11,6 +11,15 @@ from playwright.sync_api import sync_playwright
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 MAC = "/Applications/{0}.app/Contents/MacOS/{0}"
+FLAGS = [
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+]
+"""How it is started: it resolves no name."""
 WANTED = "No Chromium: install the package chromium, or set CHROMIUM to a browser's path, and run make again."
 
 

@@ -5,10 +5,12 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urljoin, urlsplit
 
+import pandas as pd
 import pytest
 import yaml
 
 import rlswaim as rl
+from rlswaim.edition.ledger import as_frame
 
 ROOT = Path(__file__).parent.parent
 HTML = ROOT / "_build" / "html"
@@ -97,7 +99,33 @@ def test_internal_links_lead_somewhere(links):
     assert lost == []
 
 
-# ---- the ledger's page: the table is the ledger, and its search finds
+# ---- the ledger's page: the table is the ledger, its search finds, and on paper all rows stand
+
+
+def test_the_ledger_s_page_prints_every_row(visit):
+    wanted = as_frame(rl.ledger()).reset_index()
+    with visit("book/12-agreement.html") as (page, _, errors):
+        page.locator(".dt-search input").wait_for()
+        rows = page.locator("#printed-numbers tbody tr")
+        assert rows.count() < len(wanted)
+        page.evaluate("() => window.dispatchEvent(new Event('beforeprint'))")
+        assert page.locator(".dt-search").count() == 0
+        texts = rows.evaluate_all("rows => rows.map(row => [...row.cells].map(cell => cell.textContent))")
+        shown = (
+            pd.DataFrame(texts).iloc[:, : wanted.shape[1]].replace("’", "'", regex=True)
+        )  # as it is typeset
+        assert (shown.to_numpy() == wanted.to_numpy()).all(axis=0).tolist() == [True] * wanted.shape[1]
+        page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
+        assert page.locator(".dt-search").count() == 1
+        assert errors == []
+
+
+def test_numbers_and_words_of_the_ledger_are_found_by_the_book_s_search(visit):
+    with visit("search.html?q=eq136-zero-c2-re") as (page, _, errors):
+        page.locator("#search-results li a").first.wait_for()
+        found = page.locator("#search-results li a").evaluate_all("links => links.map(link => link.href)")
+        assert any("12-agreement" in address for address in found)
+        assert errors == []
 
 
 def test_printed_numbers_can_be_searched(visit):

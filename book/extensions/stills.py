@@ -1,4 +1,4 @@
-"""Show a live view's still, the PNG of its cell, where the browser runs no scripts."""
+"""Show a live view's still, the PNG of its cell, where no script runs, and in the whole book on paper."""
 
 from typing import Any
 
@@ -25,9 +25,12 @@ class Stills(SphinxPostTransform):
                 still = image.deepcopy()
                 still["alt"] = "Still of the live view"
                 index = bundle.parent.index(bundle)
-                bundle.parent.insert(
-                    index, [_html("<noscript>"), nodes.paragraph("", LINE), still, _html("</noscript>")]
-                )
+                if self.app.builder.name == "singlehtml":
+                    bundle.parent.insert(index, still)
+                else:
+                    bundle.parent.insert(
+                        index, [_html("<noscript>"), nodes.paragraph("", LINE), still, _html("</noscript>")]
+                    )
 
 
 def _html(text: str) -> nodes.raw:
