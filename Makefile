@@ -100,6 +100,7 @@ lint: packages ## check style, types, import contracts and built scripts
 	$(BIOME) check --error-on-warnings
 	$(TSC)
 	$(NODE) build.mjs --check
+	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
 
 notebooks: installed ## run all notebooks in place and leave nothing in them that changes by itself
 	$(BIN)/jupyter execute --inplace $(NOTEBOOKS)

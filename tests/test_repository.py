@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+import sys
 import tomllib
 from itertools import chain
 from pathlib import Path
@@ -143,3 +144,19 @@ def test_the_speed_page_shows_measured_figures_of_every_chapter_and_view():
         if "view" in head:  # the README says that a view draws within a frame
             assert max(float(cells[1]) for cells in rows.values()) < FRAME
     assert "(book/11-speed.md)" in readme
+
+
+def test_the_workflows_follow_the_host_s_schema():
+    files = sorted(map(str, (ROOT / ".github" / "workflows").glob("*.yml")))
+    assert len(files) == 3
+    check = ["-m", "check_jsonschema", "--builtin-schema", "vendor.github-workflows", *files]
+    done = subprocess.run([sys.executable, *check], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+def test_the_workflows_call_targets_that_there_are():
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    texts = [path.read_text(encoding="utf-8") for path in (ROOT / ".github" / "workflows").glob("*.yml")]
+    called = set(re.findall(r"run: make ([a-z-]+)", "\n".join(texts)))
+    assert called
+    assert called <= set(re.findall(r"^([a-z-]+):", makefile, re.MULTILINE))
