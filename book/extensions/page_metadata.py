@@ -36,7 +36,7 @@ def tags(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree
     picture = f"{base.rstrip('/')}/{PICTURE}" if base else context["pathto"](PICTURE, resource=True)
     properties = {
         "og:type": "article",
-        "og:site_name": app.config.project or app.config.html_title,
+        "og:site_name": app.config.html_title,
         "og:title": nodes.document.astext(app.env.titles[page]),
         "og:description": told,
         "og:image": picture,
