@@ -42,12 +42,14 @@ def bibtex(work: dict[str, Any], key: str) -> str:
     return "\n".join([f"@{kind}{{{key},", ",\n".join(lines), "}"])
 
 
-def sentence(work: dict[str, Any]) -> str:
+def sentence(work: dict[str, Any]) -> nodes.paragraph:
     """Return a ``work`` of CITATION.cff as a line of a list of references."""
     publisher = work.get("institution", {})
-    version = f"version {work['version']}" if "version" in work else ""
-    rest = [version, publisher.get("name", ""), publisher.get("location", ""), str(work.get("year", ""))]
-    return f"{authors(work, ', ')}: {work['title']}. {', '.join(part for part in rest if part)}."
+    version = f"Version {work['version']}" if "version" in work else ""
+    parts = [version, publisher.get("name"), publisher.get("location"), work.get("year")]
+    rest = ", ".join(str(part) for part in parts if part)
+    title = nodes.emphasis("", work["title"])
+    return nodes.paragraph("", "", nodes.Text(f"{authors(work, ', ')}. "), title, nodes.Text(f". {rest}."))
 
 
 class HowToCite(SphinxDirective):
