@@ -28,7 +28,7 @@ export MPLCONFIGDIR := $(CURDIR)/.venv/.home/matplotlib
 
 NOTEBOOKS := $(wildcard book/*.ipynb)
 PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -name '*.py*' \) -prune -o -type f -not -path "*/.*" -print)
-FRAME := _config.yml _toc.yml $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
+FRAME := _config.yml _toc.yml CITATION.cff $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
 .PHONY: help installed packages ready serve book pdf test fuzz bench searches test-oldest test-newest lint scripts notebooks lock clean

@@ -208,3 +208,21 @@ def test_a_wrong_number_stops_the_build(tmp_path):
 def test_nothing_comes_from_another_server():
     for name in ("report_equations.js", "report_equations.css"):
         assert re.findall(r"https?://", (EXTENSIONS / name).read_text(encoding="utf-8")) == []
+
+
+def test_a_box_touches_nothing_that_follows_its_number(page):
+    """The box lies over the line and moves nothing; the formula leaves room for it."""
+    gaps = page.evaluate(
+        """() => [...document.querySelectorAll('div.report-equation .printed')].flatMap((el) => {
+             const box = getComputedStyle(el, '::after');
+             if (box.borderRightStyle === 'none' || !parseFloat(box.borderRightWidth)) return [];
+             const here = el.getBoundingClientRect();
+             const glyphs = [...el.closest('mjx-container').querySelectorAll('mjx-c')];
+             const after = glyphs[glyphs.findLastIndex((glyph) => el.contains(glyph)) + 1];
+             const next = after && after.getBoundingClientRect();
+             const beside = next && next.left > here.left && next.top < here.bottom && next.bottom > here.top;
+             return beside ? [[el.dataset.entry, next.left - (here.right - parseFloat(box.right))]] : [];
+           })"""
+    )
+    assert len(gaps) > 50
+    assert {entry: gap for entry, gap in gaps if gap < 0} == {}

@@ -127,7 +127,8 @@ def test_signs():
 
 def test_signs_of_roots_are_those_of_the_report():
     """Each root's sign, where the machine reading has it: in Eqs. 41, 92 and 118."""
-    plain = {key: MARK.sub(lambda m: m[1] + m[4] + text(m[5]), as_tex(key)) for key in ("41", "92", "118")}
+    tex = {key: re.sub(r"\\[,;]", "", as_tex(key)) for key in ("41", "92", "118")}
+    plain = {key: MARK.sub(lambda m: m[1] + m[4] + text(m[5]), found) for key, found in tex.items()}
     assert "(s-1.31)(s+1.54)(s^2+.0236s+1.323)" in plain["41"].replace("\n", "")
     assert "(s-1.148)(s+.00011)(s+1.343)(s+.027\\pm j2.865)" in plain["92"].replace("\n", "")
     assert "(s+.9)(s-2.8\\pm j2.25)(s+2.55\\pm j6.8)(s+5\\pm j4.3)s" in plain["118"].replace("\n", "")

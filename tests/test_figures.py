@@ -1,6 +1,7 @@
 """Figures show what was computed: data on the axes, units, labels, the same file at every run."""
 
 import io
+from itertools import combinations
 
 import control
 import matplotlib as mpl
@@ -14,7 +15,8 @@ import diagrams
 import rlswaim as rl
 from pages import use_book_style
 from redraw import LocusPicture
-from rlswaim.figures import loci, stations
+from rlswaim.edition.designs import instrument_stations
+from rlswaim.figures import loci, side_view, stations
 from rlswaim.loops import named_branches
 from rlswaim.loops import transfer_functions as tf
 from rlswaim.loops.transfer_functions import theta_loop
@@ -150,3 +152,70 @@ def test_ill_determined_roots_are_marked(ax):
     locus = rl.root_locus(control.tf([1], [1, 2, 0]), [0.5, 1.0, 3.0])
     marked = points(labelled(loci.draw_ill_determined(ax, locus), "ill-determined"))
     assert marked == pytest.approx([-1, -1], abs=1e-6)
+
+
+@pytest.fixture
+def vehicle():
+    """Figure 1 as chapter I draws it, its figure laid out."""
+    with mpl.rc_context():
+        use_book_style()
+        fig, (above, below) = plt.subplots(
+            2, 1, figsize=(7.0, 5.6), height_ratios=(5, 2), layout="constrained"
+        )
+        side_view.draw_side_view(above, rl.swaim_booster(), instrument_stations())
+        side_view.draw_masses(below, rl.swaim_booster())
+        fig.canvas.draw()
+        yield above, below
+        plt.close(fig)
+
+
+def boxes(axes):
+    """Return the texts of axes that show something, and the boxes that they cover."""
+    shown = [text for text in axes.texts if text.get_text()]
+    return [text.get_text() for text in shown], [text.get_window_extent() for text in shown]
+
+
+def test_the_labels_of_the_vehicle_overlap_nothing(vehicle):
+    above, below = vehicle
+    names, covered = boxes(above)
+    assert len(names) > 20
+    assert boxes(below) == ([], [])
+    pairs = [
+        (names[i], names[j]) for i, j in combinations(range(len(names)), 2) if covered[i].overlaps(covered[j])
+    ]
+    assert pairs == []
+    page = above.figure.bbox
+    assert [
+        name for name, box in zip(names, covered, strict=True) if box.x0 < page.x0 or box.x1 > page.x1
+    ] == []
+
+
+def test_no_mark_or_line_of_the_vehicle_crosses_a_label(vehicle):
+    axes, crossed = vehicle[0], []
+    solid = [line for line in axes.lines if line.get_linestyle() == "-"]
+    marks = [line for line in axes.lines if line.get_marker() != "None"]
+    assert len(solid) > 10
+    assert len(marks) == 5
+    for name, box in zip(*boxes(axes), strict=True):
+        paths = [line.get_transform().transform_path(line.get_path()) for line in solid]
+        points = [point for line in marks for point in line.get_transform().transform(line.get_xydata())]
+        touched = [np.hypot(*(np.clip(point, box.min, box.max) - point)) < 3 for point in points]
+        crossed += [name] * (any(path.intersects_bbox(box) for path in paths) or any(touched))
+    assert crossed == []
+
+
+def test_the_vehicle_is_drawn_where_its_data_say(vehicle):
+    above, below = vehicle
+    booster = rl.swaim_booster()
+    marks = {line.get_marker(): list(line.get_xdata()) for line in above.lines if line.get_marker() != "None"}
+    assert marks["^"] == [60, 304, 400]
+    assert marks["D"] == [20, 39, 140, 300, 420]
+    assert marks["v"] == [140]
+    assert marks["P"] == [booster.l_CG]
+    assert marks["o"] == [booster.thrust_station]
+    forces = [t.xy[0] for t in above.texts if isinstance(t, mpl.text.Annotation) and t.xy[1] == 52]
+    assert forces == [surface.station for surface in booster.surfaces]
+    assert above.get_xlim() == below.get_xlim()
+    assert [bar.get_height() * 1000 for bar in below.patches] == pytest.approx(booster.masses)
+    assert [bar.get_x() + bar.get_width() / 2 for bar in below.patches] == pytest.approx(booster.stations)
+    assert below.get_ylabel() == "mass (1000 slug)"

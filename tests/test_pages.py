@@ -1,7 +1,9 @@
 """Every built page in a real browser with the network cut: nothing from outside, no error, math typeset."""
 
 import re
+import struct
 from html.parser import HTMLParser
+from importlib.metadata import version
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urljoin, urlsplit
 
@@ -15,6 +17,7 @@ from rlswaim.edition.ledger import as_frame
 ROOT = Path(__file__).parent.parent
 HTML = ROOT / "_build" / "html"
 TOC = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
+CONFIG = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))["sphinx"]["config"]
 CHAPTERS = [TOC["root"], *(c["file"] for part in TOC["parts"] for c in part["chapters"])]
 PAGES = [f"{name}.html" for name in (*CHAPTERS, "search", "genindex")]
 
@@ -97,6 +100,56 @@ def test_internal_links_lead_somewhere(links):
             ):
                 lost.append(f"{page}: {link}")
     assert lost == []
+
+
+# ---- what a page says of itself, and how to cite the edition
+
+
+class Head(HTMLParser):
+    """Collects what a page's head says of it, and its text."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.said: dict[str, list[str]] = {}
+        self.feed((HTML / page).read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = {key: value or "" for key, value in attrs}
+        if tag == "meta" and (name := given.get("name") or given.get("property")):
+            self.said.setdefault(name, []).append(given.get("content", ""))
+
+
+@pytest.mark.parametrize("page", CHAPTERS)
+def test_each_page_says_what_it_is_about_and_shows_a_picture(page):
+    said = Head(f"{page}.html").said
+    (told,), (title,), (picture,) = said["description"], said["og:title"], said["og:image"]
+    assert told == CONFIG["page_descriptions"][page]
+    assert 60 <= len(told) <= 160
+    assert said["og:description"] == [told]
+    assert title in (HTML / f"{page}.html").read_text(encoding="utf-8").partition("</title>")[0]
+    assert not urlsplit(picture).netloc
+    found = (HTML / urljoin(f"{page}.html", picture)).read_bytes()
+    assert found.startswith(b"\x89PNG")
+    assert struct.unpack(">II", found[16:24]) == (1200, 630)
+    assert [said[f"og:image:{side}"] for side in ("width", "height")] == [["1200"], ["630"]]
+
+
+def test_descriptions_are_of_the_pages_that_there_are_and_differ():
+    assert set(CONFIG["page_descriptions"]) == set(CHAPTERS)
+    assert len(set(CONFIG["page_descriptions"].values())) == len(CHAPTERS)
+
+
+def test_how_to_cite_is_what_the_citation_file_says(visit):
+    cff = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    report = cff["references"][0]
+    assert cff["version"] == version("rlswaim")
+    with visit("book/09-references.html") as (page, _, _):
+        section = page.locator("section:has(> h2:has-text('How to cite'))").inner_text()
+    first, second = section.partition("@techreport")[::2]
+    for words in (cff["title"], cff["version"], cff["authors"][0]["name"], "@software{rlswaim,"):
+        assert words in first
+    for words in (report["title"], str(report["year"]), "Robert L. Swaim", report["institution"]["location"]):
+        assert words in second
 
 
 # ---- the ledger's page: the table is the ledger, its search finds, and on paper all rows stand

@@ -11,6 +11,11 @@ from functools import cache
 from rlswaim.source.equations import PLACE, Template, templates
 from rlswaim.source.tables import Row, read_table
 
+PLAIN = {"agrees", "rounding", "plot reading"}
+"""Verdicts that are drawn as a line below the number alone, without a box or a sign beside it."""
+CLOSE = re.compile(r"[A-Za-z()\]]|\\(?:phi|Delta|,)")
+"""What stands close behind a number: a letter, a bracket, or a thin space."""
+
 
 @cache
 def rows() -> dict[str, Row]:
@@ -72,13 +77,19 @@ def _marked(entry: str, tex: str) -> str:
     return rf"\class{{{' '.join(classes(entry))}}}{{{tex}}}"
 
 
+def _room(row: Row, rest: str) -> str:
+    """Return the space between a number and the ``rest`` of the formula: a box and a sign need some."""
+    return r"\;" if row["verdict"] not in PLAIN and CLOSE.match(rest) else ""
+
+
 def _set(match: re.Match[str]) -> str:
     """Return the TeX of one place: a sign that adds stands before the mark, any other one in it."""
     place, row = match[1], rows()[match[2]]
+    room = _room(row, match.string[match.end() :])
     negative = row["printed"].startswith("-") != (place in ("turned", "minus"))
     if place in ("plus", "minus"):
-        return ("-" if negative else "+") + _marked(row["id"], digits(row["printed"]))
-    return _marked(row["id"], ("-" if negative else "") + digits(row["printed"]))
+        return ("-" if negative else "+") + _marked(row["id"], digits(row["printed"])) + room
+    return _marked(row["id"], ("-" if negative else "") + digits(row["printed"])) + room
 
 
 def with_numbers(tex: str) -> str:

@@ -1,4 +1,4 @@
-"""Figures 1 to 5: the vehicle, its bent axis, its ascent and other histories, its mode shapes."""
+"""Figures 2 to 5: the vehicle's bent axis, its ascent and other histories, its mode shapes."""
 
 from collections.abc import Mapping
 from itertools import cycle
@@ -16,40 +16,6 @@ def _along_the_vehicle(ax: Axes) -> Axes:
     ax.set_xlim(-8, LENGTH + 14)
     ax.set_xlabel("station $l$ (ft from the nose)")
     return ax
-
-
-def draw_masses(ax: Axes, booster: Booster) -> Axes:
-    """Draw the masses, the lifting surfaces, the center of gravity and the thrust point [Figure 1].
-
-    Parameters
-    ----------
-    ax : Axes
-    booster : Booster
-
-    Returns
-    -------
-    Axes
-    """
-    ax.bar(
-        booster.stations, booster.masses / 1000, width=14, color=COLORS["neutral"], alpha=0.6, label="mass"
-    )
-    top = 1.45 * booster.masses.max() / 1000
-    ax.set_ylim(0, top)
-    for surface in booster.surfaces:
-        ax.annotate(
-            f"{surface.name}\n$C_{{N\\alpha}}$ = {surface.C_Nalpha:g}/rad",
-            (surface.station, booster.masses[booster.stations == surface.station].max(initial=0) / 1000),
-            (surface.station - (30 if surface.station > LENGTH / 2 else -5), 0.83 * top),
-            ha="center" if surface.station > LENGTH / 2 else "left",
-            arrowprops={"arrowstyle": "<-", "color": COLORS["rigid"]},
-            color=COLORS["rigid"],
-        )
-    ax.axvline(booster.l_CG, color=COLORS["printed"], linestyle="--")
-    ax.text(booster.l_CG - 4, 0.93 * top, "center of gravity", ha="right")
-    ax.plot(booster.thrust_station, 0, ">", color=COLORS["actuator"], markersize=11, clip_on=False)
-    ax.text(booster.thrust_station, 0.05 * top, "G", color=COLORS["actuator"], ha="center")
-    ax.set_ylabel("concentrated mass (1000 slugs)")
-    return _along_the_vehicle(ax)
 
 
 def draw_elastic_axis(

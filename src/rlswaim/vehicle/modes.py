@@ -90,7 +90,7 @@ class BendingMode:
     slopes: NDArray = quantity("sigma", "1/ft", "negative slopes -d phi/d l there", "Table 2, Section IV")
     omega: float = quantity("omega", "rad/s", "undamped natural frequency", "Section II")
     zeta: float = quantity("zeta", "1", "structural damping ratio", "Section III")
-    mass: float = quantity("m", "slug", "generalized mass", "Table 2")
+    mass: float = quantity("calM", "slug", "generalized mass", "Table 2")
     name: str = field(default="mode", metadata={})
 
     def __post_init__(self) -> None:
