@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import rlswaim as rl
-from rlswaim.edition import causes, printed_closures, section_4, section_7
+from rlswaim.edition import causes, matching, printed_closures, section_4, section_7
 from rlswaim.edition.ledger import half_unit
 from rlswaim.loops import closures
 from rlswaim.loops.transfer_functions import elastic_numerator, theta_loop
@@ -225,6 +225,19 @@ def test_shapes_read_a_few_hundredths_off_meet_their_conditions():
     worst = BOOSTER.masses @ np.abs(phi).sum(axis=0)
     assert ENTRIES["sec2-orthogonality"].computed / worst == pytest.approx(0.0255, abs=5e-4)
     assert ".026 in both modes" in ENTRIES["sec2-orthogonality"].why
+
+
+@pytest.mark.parametrize(
+    ("section", "starts", "text"),
+    [
+        ("IV", ("eq92-p", "eq95-z1"), "1.31, −1.543, −.012 ± j1.15, −.031 ± j3.051, −.0000467"),
+        ("IV", ("fig8-mode1",), "2 rad/s and 0.5"),
+        ("IV", ("eq82-mode1",), "s² + .026 s + 1.33"),
+        ("VII", ("text-closure1-",), "−3.01, 1.229, −1.645, −6.7 ± j29.8, 2.7 ± j50"),
+    ],
+)
+def test_printed_roots_keep_the_report_s_digits(section, starts, text):
+    assert matching.as_printed(section, *starts) == text
 
 
 def test_products_are_those_of_eq_48():
