@@ -114,9 +114,10 @@ def reasons(rows: pd.DataFrame, place: str) -> pd.DataFrame:
 
     Examples
     --------
-    >>> rows = pd.DataFrame({"verdict": "misprint", "why": "lost sign", "where": ["Eq. 1", "Eq. 2", "Eq. 2"]})
+    >>> where = ["Eq. 1", "Eq. 2", "Eq. 2"]
+    >>> rows = pd.DataFrame({"verdict": "rounding", "why": "last digit", "where": where})
     >>> reasons(rows, "where").iloc[0].to_list()
-    ['misprint', 'lost sign', 'Eq. 1, Eq. 2 (3)']
+    ['rounding', 'last digit', 'Eq. 1, Eq. 2 (3)']
     """
     groups = rows.groupby(["verdict", "why"], sort=False)[place]
     places = groups.agg(lambda found: f"{', '.join(dict.fromkeys(found))} ({len(found)})")

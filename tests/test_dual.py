@@ -11,6 +11,7 @@ import rlswaim as rl
 from rlswaim.edition import causes, conclusions, matching, printed_closures, table_3
 from rlswaim.loops import closures
 from rlswaim.loops.transfer_functions import elastic_numerator
+from rlswaim.practice.ladder import Rung, vehicle_on
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle.equations import with_reading
 
@@ -145,6 +146,40 @@ def test_cures():
     found = conclusions.cures(rl.swaim_booster())
     assert found["as it is"] == pytest.approx(1.31, abs=0.005)
     assert found["no air (q_D = 0)"] == found["no payload surface"] == pytest.approx(0, abs=1e-6)
+    assert found["payload surface at the first mode's front node"] == pytest.approx(0, abs=1e-6)
+    assert found["fins at its rear node"] == pytest.approx(1.292, abs=5e-4)
+    assert found["both surfaces at its nodes"] == pytest.approx(0, abs=1e-6)
+
+
+def test_moved_surfaces_stand_where_the_first_mode_does_not_bend():
+    booster = rl.swaim_booster()
+    both = conclusions.surfaces_moved(booster)["both surfaces at its nodes"]
+    assert [round(s.station) for s in both.surfaces] == [188, 394]
+    assert booster.modes[0].deflection([s.station for s in both.surfaces]) == pytest.approx([0, 0], abs=1e-9)
+    assert [s.C_Nalpha for s in both.surfaces] == [s.C_Nalpha for s in booster.surfaces]
+
+
+def test_the_path_leaves_the_unstable_root_and_makes_a_slow_pair_of_the_origin():
+    """Recommendation 4 with the weight along and across the path: each root makes Eq. 29's determinant zero.
+
+    A row and a column for the speed u are joined to it: U alpha' has -g cos(gamma_0) u/U and
+    u' is g cos(gamma_0) (alpha - theta).
+    """
+    flight = rl.swaim_booster().flight
+    across, along = 32.2 * np.sin(flight.gamma_0), 32.2 * np.cos(flight.gamma_0)
+    found = vehicle_on(EQS, Rung(gravity=across, level=along)).poles()
+    powers = np.zeros((5, 5, 3))
+    powers[:4, :4] = EQS.matrix
+    powers[0, 1, 0] += across
+    powers[0, 4, 0] = along / EQS.U
+    powers[4, [0, 1, 4], [0, 0, 1]] = -along, along, 1.0
+    assert len(found) == 8
+    for s in found:
+        at = powers @ [1, s, s**2]
+        assert abs(np.linalg.det(at)) < 1e-9 * np.prod(np.linalg.norm(at, axis=1))
+    assert found.real.max() == pytest.approx(1.3072, abs=5e-5)
+    slow = min(found[found.imag > 0], key=abs)
+    assert slow == pytest.approx(0.00591 + 0.01122j, abs=5e-6)
 
 
 def test_unknown_output_is_told():

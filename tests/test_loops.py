@@ -7,6 +7,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from numpy.polynomial import polynomial as npp
+from scipy.optimize import minimize_scalar
 
 import rlswaim as rl
 from rlswaim.edition import section_4, section_5, section_6
@@ -166,11 +167,40 @@ def test_the_printed_zeros_lead_to_eq_118_and_not_to_figure_16():
     poles = rl.root_locus(section_6.printed_first_loop(), [-0.144]).roots[0]
     for printed in (-0.9, 2.8 + 2.25j, -2.55 + 6.8j, -5 + 4.3j):
         assert np.abs(poles - printed).min() < 0.03 * abs(printed) + 0.1
-    K_A, place = section_5.nearest_gain(
-        section_5.printed_outer_loop(), section_4.WANTED, np.geomspace(1, 1e3, 3001)
+    loop = section_5.printed_outer_loop()
+    K_A, place = section_5.nearest_gain(loop, section_4.WANTED, least=1.0, most=1e3)
+    assert abs(K_A - 154.276) < 5e-4
+    assert abs(place - section_4.WANTED) == pytest.approx(0.0104, abs=5e-5)
+    assert f"{K_A / 4:.2g}" == "39"
+
+
+def distance_to_the_wanted_place(loop, gain):
+    top, bottom = loop.num[0][0], loop.den[0][0]
+    return np.abs(np.roots(np.polyadd(bottom, gain * top)) - section_4.WANTED).min()
+
+
+@pytest.mark.parametrize("loop", ["printed", "ours"])
+def test_no_gain_comes_nearer_to_the_wanted_place(loop):
+    """Beside a gain found to all its digits, each way is farther, near by and over all gains allowed."""
+    printed = section_5.printed_outer_loop()
+    loop = printed if loop == "printed" else tf.outer_loop(EQS, 10, 0.625, [(0.054, 140)])
+    K_A, place = section_5.nearest_gain(loop, section_4.WANTED, least=0.1, most=1e4)
+    best = distance_to_the_wanted_place(loop, K_A)
+    assert best == pytest.approx(abs(place - section_4.WANTED), rel=1e-6)
+    others = np.concatenate([K_A * (1 + np.array([-1e-2, -1e-4, 1e-4, 1e-2])), np.geomspace(0.1, 1e4, 300)])
+    assert min(distance_to_the_wanted_place(loop, gain) for gain in others) >= best * (1 - 1e-9)
+    found = minimize_scalar(
+        lambda gain: distance_to_the_wanted_place(loop, gain),
+        bounds=(0.9 * K_A, 1.1 * K_A),
+        method="bounded",
+        options={"xatol": 1e-9 * K_A},
     )
-    assert abs(K_A - 154) < 1
-    assert abs(place - section_4.WANTED) < 0.02
+    assert found.x == pytest.approx(K_A, rel=1e-6)
+
+
+def test_a_gain_at_its_bound_is_the_nearest_if_the_way_leads_on():
+    loop = section_5.printed_outer_loop()
+    assert section_5.nearest_gain(loop, section_4.WANTED, least=1.0, most=100.0)[0] == 100.0
 
 
 def test_one_mode_less_is_the_smaller_determinant():

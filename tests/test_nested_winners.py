@@ -47,3 +47,23 @@ def test_a_long_search_gives_its_winner_again():
     assert again.evolution == pytest.approx(winner.evolution, abs=1e-4)
     assert again.adaptation == pytest.approx(winner.adaptation, abs=1e-4)
     assert (again.seed, again.evaluations) == (winner.seed, winner.evaluations)
+
+
+@pytest.mark.parametrize("system", LOOPS)
+def test_the_tables_tell_what_each_way_found_alone(system):
+    columns = search.beside_bounds(EQS, system)
+    for winner in (w for w in WINNERS if w.system == system):
+        told = columns[search.OBJECTIVES[winner.objective]]
+        assert float(told["evolution alone found (1/s)"]) == pytest.approx(winner.evolution, abs=5e-5)
+        assert float(told["adaptation alone found (1/s)"]) == pytest.approx(winner.adaptation, abs=5e-5)
+
+
+def test_where_chapter_vii_says_that_both_ways_agree():
+    """Of the problems with a jet: all of Figure 25's, and a pair held with everything free."""
+    agree = {
+        (w.system, w.objective)
+        for w in WINNERS
+        if LOOPS[w.system] is LOOPS["dual_actuation"] and max(w.evolution, w.adaptation) <= w.abscissa + 1e-3
+    }
+    free = {("dual_actuation", "pair-all"), ("dual_actuation", "pair-apart")}
+    assert agree == free | {("figure_25", objective) for objective in search.OBJECTIVES}

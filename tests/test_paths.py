@@ -118,6 +118,26 @@ def test_inner_loops_close_otherwise_along_each_set_of_zeros(station, as_printed
     assert [abs(r) for r in modes] == pytest.approx([first, second], abs=0.01)
 
 
+def test_the_first_mode_is_stiffened_at_station_140_but_not_much():
+    """At every gain its frequency rises, to that of the zero that it ends at."""
+    loop = transfer_functions.inner_loop(EQS, K_C, 140)
+    size = [abs(upper(at(loop, gain))[0]) for gain in np.geomspace(1e-4, 1e6, 101)]
+    assert np.all(np.diff(size) > -1e-9)
+    assert size[0] == pytest.approx(1.1504, abs=1e-3)
+    assert max(size) == pytest.approx(1.2751, abs=5e-5)
+
+
+def test_what_crosses_and_what_pairs_in_figure_15():
+    """Along the printed zeros the unstable real root ends left; the pair comes from -1.543 and -10."""
+    report = section_5.printed_inner_loop()
+    real = at(report, 0.054)
+    assert sorted(real[real.imag == 0].real) == pytest.approx([-0.9925, 0.0], abs=5e-5)
+    (meeting,) = [b for b in rl.root_locus(report).break_aways if b.gain > 0]
+    assert meeting.point.real == pytest.approx(-6.288, abs=5e-4)
+    before = at(report, 0.99 * meeting.gain)
+    assert sorted(before[before.imag == 0].real)[:2] == pytest.approx([-6.7, -5.9], abs=0.2)
+
+
 def test_poles_of_eq_118_follow_from_the_printed_zeros_alone():
     wanted = printed_roots("VI", "eq118-p").values()
     assert contains(at(section_6.printed_first_loop(), -0.144), wanted, 0.11)
@@ -127,8 +147,8 @@ def test_poles_of_eq_118_follow_from_the_printed_zeros_alone():
 def test_outer_loop_of_section_v_both_ways():
     report = section_5.printed_outer_loop()
     corrected = transfer_functions.outer_loop(EQS, K_C, 0.625, [(0.054, 140.0)])
-    gain, _ = section_5.nearest_gain(report, WANTED, np.geomspace(1, 1000, 3001))
-    assert gain == pytest.approx(154, abs=0.5)
+    gain, _ = section_5.nearest_gain(report, WANTED, least=1.0, most=1e3)
+    assert gain == pytest.approx(154.28, abs=0.005)
     assert np.abs(at(report, gain) - WANTED).min() == pytest.approx(0.01, abs=0.002)
     assert np.abs(at(report, 39) - WANTED).min() == pytest.approx(1.52, abs=0.01)
     assert upper(at(report, 39))[0] == pytest.approx(1.68 + 2.11j, abs=0.01)

@@ -6,6 +6,7 @@ from browser_maths import EQS, sections, sent
 from rlswaim.edition import section_4
 from rlswaim.explorers.presets import COMPARED, CORRECTED, corrected_designs, designs
 from rlswaim.explorers.system_views import VIEWS
+from rlswaim.loops.transfer_functions import theta_loop
 from rlswaim.source.tables import read_table
 
 
@@ -42,6 +43,16 @@ class TestPresets:
             printed = [complex(root["re"], root["im"]) for root in preset["printed"]]
             far = any(abs(ours - z).min() > 0.03 * abs(z) + 1e-3 for z in printed)
             assert far == bool(preset.get("path")), preset["name"]
+
+    def test_figures_9_and_10_are_closed_where_the_oscillation_of_the_text_exists(self):
+        for number, sign, side in ((9, -1, 1), (10, 1, -1)):
+            preset = designs("IV")[f"Figure {number}"]
+            loop = theta_loop(EQS, preset["K_C"], preset["K_R"], preset["gyro"])
+            first, last = section_4.real_meetings(loop, sign, side)
+            assert abs(first) < abs(preset["K_A"]) < abs(last)
+            assert section_4.oscillates(EQS, number, preset["K_A"], side)
+            for beyond in (0.9 * first, 1.1 * last):
+                assert not section_4.oscillates(EQS, number, beyond, side)
 
     def test_the_corrected_rigid_body_design_puts_the_short_period_where_it_is_wanted(self):
         gains = corrected_designs("IV", EQS)["Eq. 75, divided by U"]

@@ -100,9 +100,11 @@ def test_agreement_counts_the_ledger_s_verdicts():
     page = nbformat.read(ROOT / "book" / "12-agreement.ipynb", as_version=4)
     outputs = [output for cell in page.cells for output in cell.get("outputs", [])]
     tables = [output.get("data", {}).get("text/markdown", "") for output in outputs]
-    (table,) = [text for text in tables if text.startswith("| verdict |")]
-    shown = {cells[0]: cells[1:] for line in table.splitlines()[2:] if (cells := re.findall(r"[^|]+", line))}
-    assert shown == {f" {verdict} ": [f" {n} " for n in row] for verdict, row in counts().T.iterrows()}
+    pair = [text for text in tables if text.startswith("| verdict |")]
+    for table, wanted in zip(pair, (counts(), counts(None)), strict=True):
+        lines = [re.findall(r"[^|]+", line) for line in table.splitlines()[2:]]
+        shown = {cells[0]: cells[1:] for cells in lines if cells}
+        assert shown == {f" {verdict} ": [f" {n} " for n in row] for verdict, row in wanted.T.iterrows()}
 
 
 def test_the_readme_counts_all_printed_numbers():

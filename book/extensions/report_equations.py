@@ -104,7 +104,7 @@ def _cell(cell: str) -> nodes.paragraph:
 
 
 class VerdictLegend(SphinxDirective):
-    """The marks of the eight verdicts, side by side."""
+    """The marks of the verdicts, side by side."""
 
     def run(self) -> list[nodes.Node]:
         """Run the directive."""

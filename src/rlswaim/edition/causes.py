@@ -19,7 +19,7 @@ from rlswaim.loops import closures
 from rlswaim.loops.rigid_body_design import RigidBody, rigid_body, rigid_design
 from rlswaim.loops.transfer_functions import closed_polynomial, displacement_numerator, elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
-from rlswaim.source.tables import constants, printed, read_table
+from rlswaim.source.tables import printed, read_table
 from rlswaim.vehicle.equations import ROWS, PerturbationEquations, printed_equations, with_reading
 
 
@@ -81,15 +81,13 @@ def _undivided(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, flo
 
 
 def _digits(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
-    """Return the numbers with a digit too many, exchanged or lost, or with the point elsewhere."""
+    """Return the numbers with a digit too many or lost, or with the point elsewhere."""
     mode = closed_loop_roots(eqs, p["eq75-K_A"], p["eq75-K_R"], 400, order=3)
     short = f"{max(abs(mode[mode.imag > 0])) ** 2:.3g}"
-    I_y = f"{constants('vehicle')['I_y']:.4e}"
     s3 = closures.literal_bracket(eqs)[3, 0, 1]
     return {
         "eq38-gust_M": -100 * eqs.coefficients["M_alpha"],
         "eq79-mode1-w2": float(short[:2] + "1" + short[2:]),
-        "eq125-M": -1 / float(I_y[:4] + I_y[5] + I_y[4] + I_y[6:]),
         "eq133-s3-1-M": np.trunc(s3 * 1e3) / 1e3,
     }
 

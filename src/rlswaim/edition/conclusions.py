@@ -114,6 +114,30 @@ def resurfaced(booster: Booster, payload: float, fins: float) -> Booster:
     return replace(booster, surfaces=tuple(replace(s, C_Nalpha=s.C_Nalpha * f) for s, f in pairs))
 
 
+def relocated(booster: Booster, payload: float, fins: float) -> Booster:
+    """Return the vehicle with its lifting surfaces at other stations.
+
+    Parameters
+    ----------
+    booster : Booster
+    payload, fins : float
+        Stations of the two surfaces (ft).
+    """
+    pairs = zip(booster.surfaces, (payload, fins), strict=True)
+    return replace(booster, surfaces=tuple(replace(s, station=x) for s, x in pairs))
+
+
+def surfaces_moved(booster: Booster) -> Mapping[str, Booster]:
+    """Return the vehicle with its lifting surfaces at the first mode's nodes [conclusion 2]."""
+    front, rear = booster.modes[0].shape.roots(extrapolate=False)
+    payload, fins = (surface.station for surface in booster.surfaces)
+    return {
+        "payload surface at the first mode's front node": relocated(booster, front, fins),
+        "fins at its rear node": relocated(booster, payload, rear),
+        "both surfaces at its nodes": relocated(booster, front, rear),
+    }
+
+
 def surfaces_cut(booster: Booster) -> Mapping[str, Booster]:
     """Return the vehicle with its lifting surfaces cut down one way at a time [recommendation 1]."""
     return {
@@ -131,6 +155,7 @@ def cures(booster: Booster) -> Mapping[str, float]:
         "as it is": booster,
         "no air (q_D = 0)": replace(booster, flight=replace(booster.flight, q_D=0.0)),
         "no thrust": replace(booster, T=0.0),
+        **surfaces_moved(booster),
         **surfaces_cut(booster),
         "fins doubled": resurfaced(booster, 1.0, 2.0),
         "both frequencies doubled": stiffened(booster, 2.0),

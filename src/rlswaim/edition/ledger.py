@@ -21,8 +21,7 @@ VERDICTS = (
     "agrees",
     "rounding",
     "plot reading",
-    "misread",
-    "misprint",
+    "misread or misprint",
     "arithmetic slip",
     "carried over from a slip",
     "not reproducible",
@@ -167,9 +166,16 @@ def errata() -> pd.DataFrame:
     return as_frame(e for e in ledger() if not e.agrees).drop(columns="difference (%)")
 
 
-def counts() -> pd.DataFrame:
-    """Return how many entries each section (rows, and "all") has of each verdict (columns, and "all")."""
-    rows = pd.DataFrame([(e.section, e.verdict) for e in ledger()], columns=["section", "verdict"])
+def counts(kind: str | None = "result") -> pd.DataFrame:
+    """Return how many entries each section (rows, and "all") has of each verdict (columns, and "all").
+
+    Parameters
+    ----------
+    kind : str or None
+        One of `KINDS`; None counts all rows, data and reprints too.
+    """
+    chosen = [(e.section, e.verdict) for e in ledger() if kind in {None, e.kind}]
+    rows = pd.DataFrame(chosen, columns=["section", "verdict"])
     found = pd.crosstab(rows.section, rows.verdict, margins=True, margins_name="all")
     found = found.reindex(index=[*SECTIONS, "all"], columns=[*VERDICTS, "all"], fill_value=0)
     return found.rename_axis(columns=None)

@@ -5,6 +5,7 @@ An id ends in the kind of number: ``-root`` (a real root), ``-re`` and ``-im``
 ``-omega`` and ``-zeta``.  What stands before names the root.
 """
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable
 
@@ -115,3 +116,31 @@ def listed(values: Iterable[complex], digits: int = 3) -> str:
     """
     upper = sorted((complex(v) for v in values if np.imag(v) >= 0), key=lambda v: (v.real, v.imag))
     return ", ".join(f"{v.real:.{digits}f}" + (f" ± {v.imag:.{digits}f}j" if v.imag else "") for v in upper)
+
+
+def as_printed(section: str, *starts: str) -> str:
+    """Return printed roots with the report's own digits, for a picture's legend: ``−1.543, −.012 ± j1.15``.
+
+    Parameters
+    ----------
+    section : str
+    *starts : str
+        How the ids of their rows begin; those of Section VII end in r1, c1-re and so on.
+    """
+    groups: dict[str, dict[str, str]] = defaultdict(dict)
+    for row in printed_rows(section):
+        kind = next((kind for kind in KINDS if row["id"].endswith(f"-{kind}")), "")
+        if row["id"].startswith(starts) and (kind or re.search(r"r\d+$", row["id"])):
+            groups[row["id"].removesuffix(f"-{kind}")][kind or "root"] = row["printed"].replace("-", "−")
+    return ", ".join(_as_text(kinds) for kinds in groups.values())
+
+
+def _as_text(kinds: dict[str, str]) -> str:
+    """Return one printed root as text; of a quadratic its two numbers."""
+    if "root" in kinds:
+        return kinds["root"]
+    if "re" in kinds:
+        return f"{kinds['re']} ± j{kinds['im']}"
+    if "omega" in kinds:
+        return f"{kinds['omega']} rad/s and {kinds['zeta']}"
+    return f"s² + {kinds['2zw']} s + {kinds['w2']}"

@@ -238,7 +238,8 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
     -------
     dict of str to dict of str to str
         Column, row, text.  The rows are the gains and stations; the objective's abscissa (1/s), from the
-        wired state space and from determinants; the slow root (1/s) and its time constant (s).
+        wired state space and from determinants; what each of two ways found by itself; the slow root (1/s)
+        and its time constant (s).
     """
     rows = bounds(system)
     columns = {"between": {_named(n, r): _between(r) for n, r in rows.items()}}
@@ -271,6 +272,8 @@ def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
     return {
         "largest real part (1/s)": first,
         "from determinants (1/s)": second,
+        "evolution alone found (1/s)": f"{found.evolution:.4f}",
+        "adaptation alone found (1/s)": f"{found.adaptation:.4f}",
         "slow real root (1/s)": "none" if np.isnan(slow) else f"{slow:+.2g}",
         "its time constant (s)": f"{1 / abs(slow):.0f}" if abs(slow) > 0 else "",
     }

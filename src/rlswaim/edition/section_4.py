@@ -1,11 +1,12 @@
-"""Section IV: rate and attitude feedback [Eqs. 59-96, Figures 8, 10 and 11]."""
+"""Section IV: rate and attitude feedback [Eqs. 59-96, Figures 8 to 11]."""
 
+import control
 import numpy as np
 
-from rlswaim.edition.matching import as_written, choices, roots_beside
-from rlswaim.loops.factors import factored
+from rlswaim.edition.matching import as_written, choices, printed_roots, roots_beside
+from rlswaim.loops.factors import factored, from_factors
 from rlswaim.loops.gain_terms import gain_terms, gains_for_pole
-from rlswaim.loops.named_branches import named_locus, open_loop_parts
+from rlswaim.loops.named_branches import NamedLocus, named_locus, open_loop_parts
 from rlswaim.loops.rigid_body_design import WANTED, RigidBody, rigid_body, rigid_design
 from rlswaim.loops.transfer_functions import denominator, theta_loop
 from rlswaim.rootlocus.locus import root_locus
@@ -42,6 +43,16 @@ def closed_loop_roots(
     """
     K_C = printed("IV")["fig8-K_C"] if K_C is None else K_C
     return root_locus(theta_loop(eqs, K_C, K_R, gyro, order=order), [K_A]).roots[0]
+
+
+def printed_rigid_loop() -> control.TransferFunction:
+    """Return Eq. 96 as printed, for K_A = 1 and Figure 11's K_C and K_R."""
+    p = printed("IV")
+    K_C, K_R = p["fig11-K_C"], p["fig11-K_R"]
+    zeros = [-1 / K_R, *printed_roots("IV", "eq92-z").values()]
+    return from_factors(
+        p["eq92-gain"] * K_C * K_R, zeros, [0.0, -K_C, *printed_roots("IV", "eq92-p").values()]
+    )
 
 
 def _data() -> dict[str, float]:
@@ -91,10 +102,7 @@ def _closed_loops(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, 
         ours = closed_loop_roots(eqs, p["eq75-K_A"], p["eq75-K_R"], gyro, order)
         found |= roots_beside("IV", f"eq{number}-", ours)
     found |= roots_beside("IV", "fig8-", closed_loop_roots(eqs, p["eq84-K_A"], p["eq75-K_R"], 60))
-    found |= roots_beside(
-        "IV", "fig11-", closed_loop_roots(eqs, p["fig11-K_A"], p["fig11-K_R"], None, K_C=p["fig11-K_C"])
-    )
-    return found
+    return found | roots_beside("IV", "fig11-", root_locus(printed_rigid_loop(), [p["fig11-K_A"]]).roots[0])
 
 
 def _polynomial(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
@@ -120,16 +128,64 @@ def _transfer_functions(eqs: PerturbationEquations, p: dict[str, float]) -> dict
     return found | {"fig8-limit": max(abs(zeros))}
 
 
-def _modes_of_figures(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
-    """Return which modes are unstable in Figure 10 at large K_A, and how many Figure 11 stiffens."""
-    loop, starts = theta_loop(eqs, p["fig10-K_C"], p["fig10-K_R"], 60), open_loop_parts(eqs, p["fig10-K_C"])
-    ten = named_locus(loop, 1e3, starts).ends
-    loop, starts = theta_loop(eqs, p["fig11-K_C"], p["fig11-K_R"], None), open_loop_parts(eqs, p["fig11-K_C"])
-    eleven = named_locus(loop, p["fig11-K_A"], starts).ends
-    names = ("mode 1", "mode 2")
-    unstable = {f"fig10-mode{i}-unstable": float(ten[m].real.max() > 0) for i, m in enumerate(names, start=1)}
-    stiffened = sum(bool(abs(eleven[m][0]) > abs(starts[m][0])) for m in names)
-    return unstable | {"fig11-stiffened": float(stiffened)}
+def real_meetings(loop: control.TransferFunction, sign: int, side: int) -> list[float]:
+    """Return the gains at which two roots meet on the real axis, smallest first.
+
+    Parameters
+    ----------
+    loop : control.TransferFunction
+        Open loop.
+    sign : int
+        1 for positive gains, -1 for negative ones.
+    side : int
+        1 for meetings right of the origin, -1 for those left of it.
+    """
+    found = [at.gain for at in root_locus(loop).break_aways if at.point.imag == 0 < at.point.real * side]
+    return sorted((gain for gain in found if gain * sign > 0), key=abs)
+
+
+def oscillates(eqs: PerturbationEquations, number: int, gain: float, side: int) -> bool:
+    """Return whether branches of the short period or the actuator are a pair in Figure 9 or 10.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    number : int
+        Of the figure, whose K_C and K_R are taken.
+    gain : float
+        K_A (rad/rad).
+    side : int
+        1 for a pair right of the imaginary axis, -1 for one left of it.
+    """
+    ends = _figure(eqs, number, gain).ends
+    return any(root.imag > 0 < root.real * side for name in ("rigid", "actuator") for root in ends[name])
+
+
+def _figure(eqs: PerturbationEquations, number: int, gain: float) -> NamedLocus:
+    """Return the locus of Figures 8 to 11 with its branches by their open-loop poles."""
+    p = printed("IV", f"fig{number}-")
+    gyro = None if number == 11 else 60
+    loop = theta_loop(eqs, p["K_C"], p["K_R"], gyro)
+    return named_locus(loop, gain, open_loop_parts(eqs, p["K_C"]))
+
+
+def _said_of_figures(eqs: PerturbationEquations, p: dict[str, float]) -> dict[str, float]:
+    """Return what the text says of Figures 8 to 11: 1 for yes, 0 for no, or how many."""
+    short = _figure(eqs, 8, 1.0)
+    way = short.locus.roots[:, short.parts["rigid"]]
+    ends = np.sort(way.real, axis=1)
+    apart = (way.imag == 0).all() and (ends[:, 0] < -0.1).all() and (ends[:, -1] > 0.1).all()
+    pairs = {}
+    for number, name, sign, side in ((9, "oscillation", -1, 1), (10, "pseudo", 1, -1)):
+        loop = theta_loop(eqs, p[f"fig{number}-K_C"], p[f"fig{number}-K_R"], 60)
+        meet = real_meetings(loop, sign, side)
+        inside = sign * np.sqrt(meet[0] * meet[1])
+        pairs[f"fig{number}-{name}"] = float(oscillates(eqs, number, inside, side))
+    ten, eleven = _figure(eqs, 10, 1e3).ends, _figure(eqs, 11, p["fig11-K_A"]).ends
+    starts, modes = open_loop_parts(eqs, p["fig11-K_C"]), ("mode 1", "mode 2")
+    unstable = {f"fig10-mode{i}-unstable": float(ten[m].real.max() > 0) for i, m in enumerate(modes, start=1)}
+    stiffened = sum(bool(abs(eleven[m][0]) > abs(starts[m][0])) for m in modes)
+    return pairs | unstable | {"fig8-short": float(apart), "fig11-stiffened": float(stiffened)}
 
 
 def computed() -> dict[str, float]:
@@ -140,4 +196,4 @@ def computed() -> dict[str, float]:
     """
     eqs, p = printed_equations(), printed("IV")
     found = _data() | _closed_loops(eqs, p) | _polynomial(eqs, p) | _transfer_functions(eqs, p)
-    return found | _design(eqs, p) | _modes_of_figures(eqs, p)
+    return found | _design(eqs, p) | _said_of_figures(eqs, p)

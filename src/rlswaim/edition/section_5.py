@@ -3,6 +3,7 @@
 import control
 import numpy as np
 from numpy.polynomial import polynomial as npp
+from scipy.optimize import brentq
 
 from rlswaim.edition.matching import KINDS, choices, printed_roots, roots_beside
 from rlswaim.loops.factors import factored, from_factors
@@ -39,8 +40,13 @@ def printed_outer_loop(K_z: float | None = None) -> control.TransferFunction:
     return from_factors(gain, zeros, poles[poles.imag >= 0])
 
 
-def nearest_gain(loop: control.TransferFunction, wanted: complex, gains: np.ndarray) -> tuple[float, complex]:
+def nearest_gain(
+    loop: control.TransferFunction, wanted: complex, least: float, most: float
+) -> tuple[float, complex]:
     """Return which gain brings a closed-loop root nearest to a wanted one, and that root (1/s).
+
+    Where the distance is least, the root's way is square to the line to the wanted root; that equation
+    is solved, between the gains of the drawn locus on both sides of the least distance.
 
     Parameters
     ----------
@@ -48,12 +54,27 @@ def nearest_gain(loop: control.TransferFunction, wanted: complex, gains: np.ndar
         Open loop.
     wanted : complex
         In 1/s.
-    gains : ndarray, shape (K,)
-        Gains to choose from.
+    least, most : float
+        Bounds of the gain, above 0.
     """
-    found = root_locus(loop, gains).roots
-    row, column = np.unravel_index(np.abs(found - wanted).argmin(), found.shape)
-    return float(gains[row]), complex(found[row, column])
+    top, bottom = loop.num[0][0], loop.den[0][0]
+
+    def nearest(gain: float) -> complex:
+        found = root_locus(loop, [gain]).roots[0]
+        return complex(found[np.abs(found - wanted).argmin()])
+
+    def slope(gain: float) -> float:
+        at = nearest(gain)
+        way = -np.polyval(top, at) / np.polyval(np.polyadd(np.polyder(bottom), gain * np.polyder(top)), at)
+        return float((np.conj(at - wanted) * way).real)
+
+    gains = np.unique(np.clip(root_locus(loop).gains, least, most))
+    at = int(np.argmin([abs(nearest(gain) - wanted) for gain in gains]))
+    before, after = gains[max(at - 1, 0)], gains[min(at + 1, gains.size - 1)]
+    gain = float(gains[at])
+    if slope(before) < 0 < slope(after):
+        gain = float(brentq(slope, before, after, xtol=1e-12 * gain, rtol=1e-14))
+    return gain, nearest(gain)
 
 
 def quartic(zeros: np.ndarray) -> np.ndarray:
@@ -93,7 +114,7 @@ def computed() -> dict[str, float]:
         "sec5-best": best_station(eqs),
         "eq108-gain": gain / chosen["K_C"],
         "eq109-gain": float(eqs.numerator("theta", "delta")[5]),
-        "fig16-K_A": nearest_gain(outer, WANTED, np.geomspace(1, 1000, 3001))[0],
+        "fig16-K_A": nearest_gain(outer, WANTED, least=1.0, most=1e3)[0],
         "fig16-sp-omega": KINDS["omega"](at),
         "fig16-sp-zeta": KINDS["zeta"](at),
     } | roots_beside("V", "eq108-z", zeros)
