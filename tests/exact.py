@@ -28,6 +28,18 @@ def closed_loop(numerator, denominator, gain):
         return p
 
 
+def count_of_marks(system):
+    """Return how many real break-aways and how many crossings the locus of a transfer function has.
+
+    Those are real roots of D N' - N D', and roots w > 0 of Im D(jw) N(-jw); w = 0 counts if neither vanishes.
+    """
+    N, D = (np.polynomial.Polynomial(np.trim_zeros(p[0][0], "f")[::-1]) for p in (system.num, system.den))
+    odd = (D * N(np.polynomial.Polynomial([0, -1]))).coef[1::2]  # over jw, as a polynomial in -w^2
+    meetings, squares = exact_roots((D * N.deriv() - N * D.deriv()).coef), exact_roots(odd)
+    real, on_axis = (np.abs(z.imag) <= 1e-9 * np.maximum(np.abs(z), 1e-3) for z in (meetings, squares))
+    return real.sum(), (on_axis & (squares.real < -1e-12)).sum() + bool(N.coef[0] * D.coef[0])
+
+
 def paired(found, wanted):
     """Return the wanted roots in the order of the found ones that makes the total distance least."""
     rows, columns = linear_sum_assignment(np.abs(found[:, None] - wanted[None, :]))
@@ -38,6 +50,14 @@ def relative_errors(found, wanted):
     """Return each found root's relative distance from the wanted root it is paired with (absolute at 0)."""
     partner = paired(found, wanted)
     return np.abs(found - partner) / np.where(partner == 0, 1, np.abs(partner))
+
+
+def off_the_chord(point, a, b):
+    """Return how far a point lies off the chord from a to b."""
+    if a == b:
+        return abs(point - a)
+    along = np.clip(((point - a) * (b - a).conjugate()).real / abs(b - a) ** 2, 0, 1)
+    return abs(point - a - along * (b - a))
 
 
 def off_the_polyline(exact, drawn, axes):

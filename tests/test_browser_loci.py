@@ -50,6 +50,7 @@ DRAWN = """(system, ...given) => {
 class TestLoci:
     def test_are_true_to_half_a_pixel(self, page, section):
         """Every root at values between the points drawn lies on its own branch as drawn."""
+        count = 0
         for state in [*presets_of(section), *states(section, 4, seed=3)]:
             for what in loci_of(section):
                 locus = run(page, DRAWN, section, state, VIEW, what)
@@ -68,11 +69,15 @@ class TestLoci:
                 along = np.clip(((exact[:, :, None] - start) / chord).real, 0, 1)
                 miss = abs(exact[:, :, None] - start - along * (end - start)).min(axis=2)
                 assert (miss[seen] * VIEW["scale"] < 0.5).all(), (state, what)
+                count += seen.sum()
+        assert count > 1000
 
     def test_break_aways_and_crossings_are_those_of_the_library(self, page, section):
+        breaks = crossings = 0
         for state in presets_of(section):
             for what in [w for w in sent(section)["loci"] if w["of"] == "poles"]:
                 locus = run(page, "module.rootLocus", section, state, VIEW, what)
+                breaks, crossings = breaks + len(locus["breaks"]), crossings + len(locus["crossings"])
                 p, end = polynomial_along(section, state, what), locus["end"]
                 D = p(0.0)
                 N = (p(end) - D) / end  # a small gain would leave little of N beside D
@@ -87,6 +92,7 @@ class TestLoci:
                 ours = sorted((c.gain, c.omega) for c in theirs.crossings if 0 < c.gain / end < 1)
                 found = sorted((c["gain"], c["omega"]) for c in locus["crossings"])
                 assert np.array(found) == pytest.approx(np.array(ours), rel=1e-6)
+        assert (breaks, crossings) == {"IV": (18, 9), "V": (3, 5), "VI": (8, 12), "VII": (15, 8)}[section]
 
     def test_stations_where_a_branch_crosses_the_axis(self, page, section):
         count = 0
@@ -142,6 +148,7 @@ class TestLoci:
                     what,
                 )
                 p = polynomial_along(section, state, what)
+                assert len(asked) == 2
                 for point in asked:
                     z = complex(point["re"], point["im"])
                     assert abs(roots_at(p(point["t"])) - z).min() <= 1e-5 * max(abs(z), 1e-2), (state, what)
@@ -158,6 +165,7 @@ class TestLoci:
                     VIEW,
                     station,
                 )
+                assert len(sides) == (0 if state.get("feedback") == "rigid body" else 2)
                 for end in sides:
                     exact = VIEWS[section].closed_loop(EQS, **{**state, station: end["t"]}).poles()
                     ours = points(end)

@@ -22,6 +22,7 @@ class TestMargins:
     @sections
     @pytest.mark.filterwarnings("ignore:invalid value:RuntimeWarning")  # control's, at a pole and zero at 0
     def test_agree_with_control(self, page, section):
+        gains = phases = 0
         for state in presets_of(section):
             for what in [w for w in sent(section)["loci"] if w["of"] == "poles"]:
                 found = run(page, "module.margins", section, state, what)
@@ -41,6 +42,7 @@ class TestMargins:
                     (w, (g + 180) % 360 - 180) for w, g in zip(w_phase, phase, strict=True) if w > 1e-3
                 )
                 assert np.array(ours) == pytest.approx(np.array(theirs), rel=1e-5)
+                gains, phases = gains + len(found["gain"]), phases + len(found["phase"])
                 for margin in found["gain"]:
                     assert margin["dB"] == pytest.approx(20 * math.log10(margin["factor"]))
                 for margin in found["phase"]:
@@ -49,6 +51,7 @@ class TestMargins:
                     assert (lag - margin["degrees"]) % 360 == pytest.approx(
                         0, abs=1e-9
                     ) or lag == pytest.approx(margin["degrees"] % 360)
+        assert (gains, phases) == {"IV": (10, 12), "V": (5, 15), "VI": (7, 14), "VII": (9, 21)}[section]
 
     def test_none_for_stations_and_zeros(self, page):
         state = presets_of("VII")[0]

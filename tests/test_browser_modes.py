@@ -54,6 +54,7 @@ class TestModes:
         assert seen > 0.9 * COUNT
 
     def test_shape_is_the_motion_along_the_vehicle(self, page, section):
+        count = 0
         for state in presets_of(section):
             modes = run(
                 page,
@@ -68,6 +69,7 @@ class TestModes:
             for (re_, im), mode in modes:
                 if mode is None or abs(complex(re_, im)) < 1e-9:
                     continue
+                count += 1
                 value = {name: complex(*mode[name]) for name in ("alpha", "theta", "q1", "q2")}
                 shape = EQS.U * (value["alpha"] - value["theta"]) / complex(re_, im)
                 shape = shape + value["theta"] * (feet - EQS.l_CG)
@@ -77,3 +79,4 @@ class TestModes:
                 assert abs(drawn - shape).max() < 1e-9
                 assert abs(drawn).max() == pytest.approx(1)
                 assert abs(drawn[abs(drawn).argmax()] - 1) < 1e-9
+        assert count >= 5 * len(presets_of(section))

@@ -115,6 +115,7 @@ class TestCoupledVehicle:
             show(page, omega_1=2.5, q_D=700)
             rows = page.locator("[data-explorer=coupling] table.poles tbody tr")
             poles = []
+            assert rows.count() == 7
             for row in rows.all():
                 real, imaginary, omega, zeta, word = row.locator("td").all_text_contents()
                 pole = complex(float(real), float(imaginary))

@@ -11,7 +11,7 @@ from numpy.polynomial import polynomial as npp
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
-from exact import exact_roots
+from exact import count_of_marks, exact_roots, off_the_chord
 from systems import closed_loop, factors, mismatch
 
 S = control.tf("s")
@@ -49,9 +49,18 @@ places = factors(-5.0, 5.0).map(lambda x: round(x, 4))
 GAINS = np.concatenate([[0.0], np.logspace(-4, 3, 120)])
 
 
+MARKS = dict(zip(NAMES, (2, 1, 2, 1, 2, 4, 2, 3, 4), strict=True))  # at positive gains
+CHANGES = dict(zip(NAMES, (1, 0, 0, 1, 2, 3, 1, 2, 2), strict=True))  # of the count of unstable roots
+
+
 @pytest.fixture(params=NAMES)
-def system(request):
-    return loops()[request.param]
+def name(request):
+    return request.param
+
+
+@pytest.fixture
+def system(name):
+    return loops()[name]
 
 
 def polynomial(system, gain):
@@ -120,7 +129,9 @@ def test_gains_keep_their_order_and_sign(system):
 
 
 def test_roots_are_conjugate_symmetric(system):
-    for roots in rl.root_locus(system, GAINS).roots:
+    found = rl.root_locus(system, GAINS).roots
+    assert len(found) == GAINS.size
+    for roots in found:
         assert mismatch(roots, roots.conj()) < 1e-12
 
 
@@ -134,6 +145,7 @@ def test_locus_starts_at_the_poles_and_names_the_zeros(system):
 
 def test_locus_ends_at_the_zeros(system):
     locus = rl.root_locus(system, [1e12])
+    assert locus.zeros.size == np.trim_zeros(system.num[0][0], "f").size - 1
     for zero in locus.zeros:
         assert np.abs(locus.roots[0] - zero).min() < 1e-3 * max(1.0, abs(zero))
 
@@ -151,9 +163,10 @@ def test_branches_are_continuous(system, sign):
 # ---- gains chosen for a picture
 
 
-def test_chosen_gains_include_break_aways_and_crossings(system):
+def test_chosen_gains_include_break_aways_and_crossings(system, name):
     locus = rl.root_locus(system)
     marks = [m.gain for m in (*locus.break_aways, *locus.crossings) if m.gain > 0]
+    assert len(marks) == MARKS[name]
     for gain in marks:
         assert np.abs(locus.gains - gain).min() <= 1e-12 * gain
     assert (locus.gains >= 0).all()
@@ -174,16 +187,8 @@ def test_drawn_polyline_stays_within_a_quarter_pixel(system):
             ends = np.array([a, b])
             if ((ends.real > axes[0]) & (ends.real < axes[1]) & (np.abs(ends.imag) < axes[3])).all():
                 start, middle, end = (z.real / pixel[0] + 1j * z.imag / pixel[1] for z in (a, m, b))
-                worst = max(worst, *(_distance(point, start, end) for point in middle))
+                worst = max(worst, *(off_the_chord(point, start, end) for point in middle))
     assert worst < 0.25
-
-
-def _distance(point, a, b):
-    """Return how far a point lies off the chord from a to b."""
-    if a == b:
-        return abs(point - a)
-    along = np.clip(((point - a) * (b - a).conjugate()).real / abs(b - a) ** 2, 0, 1)
-    return abs(point - a - along * (b - a))
 
 
 # ---- break-away points and crossings
@@ -191,7 +196,9 @@ def _distance(point, a, b):
 
 def test_break_aways_are_double_roots(system):
     """To 50 digits, the polynomial and its derivative vanish there."""
-    for mark in rl.root_locus(system, [0.0]).break_aways:
+    marks = rl.root_locus(system, [0.0]).break_aways
+    assert len(marks) == count_of_marks(system)[0]
+    for mark in marks:
         p = polynomial(system, mark.gain)
         size = np.abs(p).max() * max(1.0, abs(mark.point)) ** 7
         assert abs(npp.polyval(mark.point, npp.polyder(p))) < 1e-5 * size
@@ -222,7 +229,9 @@ def test_known_crossing():
 
 
 def test_crossings_lie_on_the_axis_and_go_the_way_they_say(system):
-    for gain, omega, direction in rl.root_locus(system, [0.0]).crossings:
+    crossings = rl.root_locus(system, [0.0]).crossings
+    assert len(crossings) == count_of_marks(system)[1]
+    for gain, omega, direction in crossings:
         exact = exact_roots(polynomial(system, gain))
         assert np.abs(exact - 1j * omega).min() < 1e-8 * max(1.0, omega)
         before, after = (
@@ -232,21 +241,16 @@ def test_crossings_lie_on_the_axis_and_go_the_way_they_say(system):
         assert np.sign(after - before) == direction
 
 
-def test_no_crossing_is_missed(system):
+def test_no_crossing_is_missed(system, name):
     """Wherever the count of unstable roots changes between two gains, a crossing lies between them."""
     gains = np.linspace(-30.013, 30.007, 1501)
     marks = sorted(c.gain for c in rl.root_locus(system, [0.0]).crossings)
-    counts = [(exact_quickly(polynomial(system, k)).real > 0).sum() for k in gains]
-    for k in np.flatnonzero(np.diff(counts)):
-        if gains[k] <= 0 <= gains[k + 1]:
-            continue  # a pole on the axis leaves it there: the locus's start, no crossing
+    counts = [(npp.polyroots(np.trim_zeros(polynomial(system, k), "b")).real > 0).sum() for k in gains]
+    # Where the gain is 0 a pole on the axis leaves it: the locus's start, no crossing.
+    changes = [k for k in np.flatnonzero(np.diff(counts)) if not gains[k] <= 0 <= gains[k + 1]]
+    assert len(changes) == CHANGES[name]
+    for k in changes:
         assert any(gains[k] <= mark <= gains[k + 1] for mark in marks)
-
-
-def exact_quickly(p):
-    """Return roots in double precision, roots at the origin exactly there."""
-    p = np.trim_zeros(np.asarray(p), "b")
-    return npp.polyroots(p)
 
 
 # ---- any parameter

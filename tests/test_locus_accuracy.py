@@ -75,6 +75,7 @@ def test_the_condition_bounds_the_error(which):
     for gain, roots, condition in zip(gains, found.roots, found.condition, strict=True):
         wanted = exact_roots(closed_loop(loop.numerator, loop.denominator, gain))
         moving = roots != 0
+        assert moving.sum() >= roots.size - 1
         assert (relative_errors(roots, wanted)[moving] <= 2e-14 * condition[moving]).all()
 
 
@@ -139,9 +140,10 @@ def test_the_picture_follows_the_visible_axes():
 @pytest.mark.parametrize("sign", [1, -1])
 def test_marks_are_members_of_the_gains(sign):
     locus = rl.root_locus(report_loop("IV"), sign=sign)
-    for mark in (*locus.break_aways, *locus.crossings):
-        if sign * mark.gain > 0:
-            assert mark.gain in locus.gains
+    marks = [mark for mark in (*locus.break_aways, *locus.crossings) if sign * mark.gain > 0]
+    assert len(marks) == {1: 4, -1: 9}[sign]
+    for mark in marks:
+        assert mark.gain in locus.gains
 
 
 def test_crossings_lie_on_the_axis():
@@ -161,14 +163,19 @@ def test_crossings_lie_on_the_axis():
 
 def test_break_aways_are_double_roots():
     system = report_loop("IV")
-    for mark in rl.root_locus(system).break_aways:
+    marks = rl.root_locus(system).break_aways
+    assert len(marks) == 9
+    for mark in marks:
         roots = rl.root_locus(system, [mark.gain]).roots[0]
         near = np.sort(np.abs(roots - mark.point))[:2]
         assert near.max() < 1e-5 * max(1, abs(mark.point))
 
 
 def test_pairs_are_exact_conjugates():
-    for roots in rl.root_locus(report_loop("VII")).roots:
+    found = rl.root_locus(report_loop("VII")).roots
+    assert len(found) > 20
+    assert found.shape[1] == 9
+    for roots in found:
         for root in roots:
             assert root.conj() in roots
 

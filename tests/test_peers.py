@@ -92,7 +92,9 @@ def test_the_branch_that_759_missed():
 
 def test_231_has_no_break_in_on_the_positive_locus():
     """(s + 9)/(s (s^2 + 4 s + 11)) has no real double point between zero and pole."""
-    for mark in rl.root_locus(SYSTEMS["ControlSystems.jl#231"]).break_aways:
+    marks = rl.root_locus(SYSTEMS["ControlSystems.jl#231"]).break_aways
+    assert len(marks) == 1
+    for mark in marks:
         between = -9 < mark.point.real < 0 and mark.point.imag == 0
         assert not (between and mark.gain > 0)
 

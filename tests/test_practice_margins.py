@@ -45,6 +45,7 @@ def test_as_python_control_has_them(loop):
 def test_loop_at_its_margins_is_at_the_border(name):
     loop = LOOPS[name]
     found = margins(loop)
+    assert (len(found.gain), len(found.phase)) == {"rigid": (3, 3), "notch": (4, 3), "two lags": (0, 1)}[name]
     for m in found.gain:
         poles = control.feedback(loop * 10 ** (m.dB / 20), 1).poles()
         assert np.min(np.abs(poles - 1j * m.omega)) < 1e-5 * max(1, m.omega)

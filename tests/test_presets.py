@@ -2,6 +2,8 @@
 
 import math
 
+import pytest
+
 from browser_maths import EQS, sections, sent
 from rlswaim.edition import section_4
 from rlswaim.explorers.presets import COMPARED, CORRECTED, corrected_designs, designs
@@ -11,6 +13,19 @@ from rlswaim.source.tables import read_table
 
 
 class TestPresets:
+    @pytest.mark.parametrize(
+        ("section", "presets", "loci", "maps", "printed"),
+        [("IV", 8, 1, 1, 25), ("V", 3, 2, 1, 1), ("VI", 3, 3, 2, 4), ("VII", 5, 3, 2, 15)],
+    )
+    def test_every_section_has_its_presets_loci_maps_and_printed_roots(
+        self, section, presets, loci, maps, printed
+    ):
+        """Many tests go through these lists, and would hold of empty ones."""
+        found = sent(section)
+        assert [len(found[part]) for part in ("presets", "loci", "maps")] == [presets, loci, maps]
+        assert sum(len(preset["printed"]) for preset in found["presets"]) == printed
+        assert len(designs(section)) + len(corrected_designs(section, EQS)) == presets
+
     @sections
     def test_values_are_all_parameters_and_on_their_sliders(self, section):
         grids = {p.name: p.grid for p in VIEWS[section].parameters(EQS)}
@@ -60,5 +75,7 @@ class TestPresets:
         assert abs(short - complex(-1, math.sqrt(3))).min() < 1e-9
 
     def test_the_gains_found_leave_no_root_right_of_the_axis(self):
-        for values in corrected_designs("VII", EQS).values():
+        found = corrected_designs("VII", EQS)
+        assert len(found) == 2
+        for values in found.values():
             assert VIEWS["VII"].closed_loop(EQS, **values).poles().real.max() < 1e-7

@@ -104,7 +104,9 @@ def test_one_slow_real_root_is_set_apart(poles, apart, wanted):
 
 
 def test_spread_covers_the_bounds():
-    for system in LOOPS:
+    for system, loop in LOOPS.items():
+        without = {"gyro"} if system == "rigid_angle" else set()
+        assert set(search.bounds(system)) == {*loop.gains, *loop.stations} - without
         for row in search.bounds(system).values():
             ends = search._spread(row, np.array([0.0, 1.0]))
             np.testing.assert_allclose(ends, [float(row["low"]), float(row["high"])], rtol=1e-9)

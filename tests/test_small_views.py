@@ -28,6 +28,8 @@ class TestEveryView:
     def test_is_named_and_told_in_words(self, shown):
         page, view = shown
         assert page.evaluate("el.dataset.explorer") == view.system
+        canvases = {"bent-vehicle": 1, "trajectory": 4, "coupling": 1, "station-map": 2}[view.system]
+        assert page.locator("canvas").count() == canvases
         for canvas in page.locator("canvas").all():
             assert len(canvas.get_attribute("aria-label")) > 20
         assert len(page.locator("[role=status]").text_content()) > 20
@@ -35,6 +37,7 @@ class TestEveryView:
 
     def test_every_slider_runs_to_both_ends(self, shown):
         page, view = shown
+        assert len(view.parameters) >= 2
         for p in view.parameters:
             for end in (len(p.grid) - 1, 0):
                 if page.evaluate(f"state.{p.name}_at") != end:
@@ -48,6 +51,7 @@ class TestEveryView:
 
     def test_presets_set_their_values(self, shown):
         page, view = shown
+        assert len(view.payload["presets"]) >= 3
         for preset in view.payload["presets"]:
             page.get_by_role("button", name=preset["name"], exact=True).click()
             pressed = "name => document.querySelector('[aria-pressed=true]')?.textContent === name"
