@@ -123,9 +123,18 @@ class TestEveryView:
             "([names, wanted]) => names.every((name, i) => state[name] === wanted[i])",
             arg=[list(places), list(places.values())],
         )
-        page.evaluate(f"location.hash = '{view.system}:{first.name}=1e9,{last.name}=two'")
+        page.evaluate(f"location.hash = '{view.system}:{first.name}=one,{last.name}=two'")
         page.wait_for_timeout(50)
         assert page.evaluate(values, list(places)) == list(places.values()), "what makes no sense is left"
+        page.evaluate(f"location.hash = '{view.system}:{first.name}=1e9,{last.name}=two'")
+        wanted = [first.grid[-1], *list(places.values())[1:]]
+        page.wait_for_function(
+            "([names, wanted]) => names.every((name, i) => state[name] === wanted[i])",
+            arg=[list(places), wanted],
+        )
+        said = page.locator("output").inner_text()
+        assert f"{first.name} from the address is beyond its range" in said
+        assert f"{last.name} from the address is not a number and is left out." in said
         page.get_by_role("button", name="Reset").click()
         page.wait_for_function("() => !location.hash")
 

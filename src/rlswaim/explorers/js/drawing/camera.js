@@ -6,6 +6,7 @@ import { frameOf, viewOf } from './view.js';
 
 const MARGIN = { left: 44, right: 10, top: 8, bottom: 36 };
 const WIDTHS = [1e-7, 1e5]; // narrowest and widest window (1/s)
+const FARTHEST = 1e6; // of a window's place from the origin (1/s)
 const BELOW = 0.07; // of the window's height, below the real axis
 
 /**
@@ -37,6 +38,10 @@ export function fitted(points, width, height) {
 
 /** @param {View} view @returns {Camera} */
 export const cameraOf = ({ left, right, bottom }) => ({ x: (left + right) / 2, y: bottom, w: right - left });
+
+/** Is this a window that can be reached by zooming and panning? @param {Camera} camera */
+export const isWindow = ({ x, y, w }) =>
+  Math.abs(x) <= FARTHEST && Math.abs(y) <= FARTHEST && w >= WIDTHS[0] && w <= WIDTHS[1];
 
 /** @param {Camera} camera @param {number} width @param {number} height */
 export function windowOf({ x, y, w }, width, height) {

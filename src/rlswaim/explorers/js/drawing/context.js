@@ -6,11 +6,29 @@ export const FONT = '11px system-ui, sans-serif';
 /** @type {WeakSet<HTMLCanvasElement>} */
 const prepared = new WeakSet();
 
+/** @type {((canvas: HTMLCanvasElement) => Graphics) | null} */
+let other = null;
+
+/**
+ * While draw runs, what is meant for a canvas goes to the context that is returned for it.
+ * @param {(canvas: HTMLCanvasElement) => Graphics} contextFor @param {() => void} draw
+ */
+export function drawnOn(contextFor, draw) {
+  other = contextFor;
+  try {
+    draw();
+  } finally {
+    other = null;
+  }
+}
+
 /**
  * A canvas's context, one unit a CSS pixel. Setting the font is slow: it is set with the canvas's size alone.
  * @param {HTMLCanvasElement} canvas @param {number} width @param {number} height
+ * @returns {Graphics}
  */
 export function contextOf(canvas, width, height) {
+  if (other) return other(canvas);
   const ratio = globalThis.devicePixelRatio || 1;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
   const g = canvas.getContext('2d');

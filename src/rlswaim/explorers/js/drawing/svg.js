@@ -149,6 +149,18 @@ export class SvgContext {
     this.path = before;
   }
 
+  /**
+   * A picture made of pixels.
+   * @param {HTMLCanvasElement} picture @param {number} x @param {number} y @param {number} w
+   * @param {number} h
+   */
+  drawImage(picture, x, y, w, h) {
+    const [left, top] = this.#at(x, y).split(' ');
+    const place = { x: left, y: top, width: round(w), height: round(h) };
+    const style = 'image-rendering: pixelated';
+    this.#put('image', { href: picture.toDataURL(), preserveAspectRatio: 'none', style, ...place });
+  }
+
   clip() {
     const id = `clip-${this.clips.length}`;
     this.clips.push(`<clipPath id="${id}"><path d="${this.path.join('')}"/></clipPath>`);

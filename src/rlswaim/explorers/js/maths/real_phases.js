@@ -1,6 +1,7 @@
 // Where N/D is real on the imaginary axis. The phase of each factor (s - root) runs one way along the axis,
 // so that the phase of N/D is bounded over any interval: intervals are halved until one holds no place or
 // just one.
+import { certainRealPhases } from './certain_real_phases.js';
 import { EPS } from './polynomials.js';
 
 /** @typedef {import('./multiple_roots.js').Root} Root */
@@ -31,7 +32,15 @@ let room = new Float64Array(PLACES * 32);
  * @param {Root[]} zeros
  * @returns {number[]}
  */
-export function realPhases(poles, zeros) {
+export const realPhases = (poles, zeros) => certainRealPhases(poles, zeros) ?? searched(poles, zeros);
+
+/**
+ * The same by intervals alone, whatever the factors.
+ * @param {Root[]} poles
+ * @param {Root[]} zeros
+ * @returns {number[]}
+ */
+export function searched(poles, zeros) {
   const all = [
     ...zeros.map(({ x, y, count }) => ({ x, y, weight: count })),
     ...poles.map(({ x, y, count }) => ({ x, y, weight: -count })),

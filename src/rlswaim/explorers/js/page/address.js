@@ -59,6 +59,9 @@ export function readAddress(name, hash = inLab() ? '' : location.hash) {
   );
 }
 
+/** Is this explorer the first that the address names? @param {string} name */
+export const isFirstInAddress = (name) => partsOf(location.hash).keys().next().value === name;
+
 /**
  * The page's address with the explorer's part replaced, or left out if there is nothing to say.
  * @param {string} name @param {Values} values

@@ -1,7 +1,8 @@
 // The life of a view on its page: when it is drawn, its theme and size, its undo, its part of the page's
 // address.
-import { nameOf, readAddress, writeAddress } from './address.js';
+import { isFirstInAddress, nameOf, readAddress, writeAddress } from './address.js';
 import { element, set } from './elements.js';
+import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
 import { onThemeChange, themeOf } from './theme.js';
 import { onUndoKeys, UndoHistory } from './undo.js';
@@ -21,6 +22,16 @@ import { onUndoKeys, UndoHistory } from './undo.js';
 
 const LAG = 160; // ms until what nobody watches follows the picture
 
+/** A page that is loaded again or gone back to keeps its place. */
+const isNewHere = () => {
+  const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
+  return entry?.type === 'navigate';
+};
+
+/** @param {Element} el */
+const showOnPage = (el) =>
+  (el.closest('.widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
+
 export class Lifecycle {
   /** @param {HTMLElement} el @param {string} system @param {View} view */
   constructor(el, system, view) {
@@ -34,6 +45,8 @@ export class Lifecycle {
     this.timer = 0;
     this.words = '';
     this.arrived = false;
+    this.notice = new Notice(() => this.reset());
+    el.append(this.notice.node);
     el.classList.add('rlswaim-explorer');
     el.dataset.explorer = system;
     el.dataset.lmSuppressShortcuts = 'true'; // JupyterLab keeps its own keys out
@@ -63,6 +76,7 @@ export class Lifecycle {
 
   /** The state changed under the hand. */
   changed() {
+    this.notice.clear();
     this.history.note();
     this.redraw.now();
   }
@@ -72,11 +86,17 @@ export class Lifecycle {
     this.redraw.next();
   }
 
+  /** Back to the start of the view. */
+  reset() {
+    this.view.state.reset();
+    this.changed();
+  }
+
   #listen() {
     const { el, view } = this;
     const { model, watched } = view.state;
     const changed = () => this.changed();
-    const address = () => this.#readAddress();
+    const address = () => this.#readAddress(true);
     for (const name of watched) model.on(`change:${name}`, changed);
     const resized = new ResizeObserver(() => this.#measure());
     for (const canvas of view.canvases) resized.observe(canvas);
@@ -102,7 +122,7 @@ export class Lifecycle {
   #measure() {
     if (!this.arrived && this.el.isConnected) {
       this.arrived = true;
-      this.#readAddress();
+      this.#readAddress(isNewHere());
       this.history.begin();
     }
     if (this.view.canvases.map((canvas) => this.#resized(canvas)).some(Boolean)) this.follow();
@@ -119,9 +139,19 @@ export class Lifecycle {
     return width !== before || (height !== above && canvas.style.height === '');
   }
 
+  /** What goes wrong is told, and stops nothing that comes later. */
   #draw() {
+    if (this.sizeOf(this.view.canvases[0])[0] === 0) return; // not on the page yet
+    try {
+      this.#drawn();
+      this.notice.mended();
+    } catch (error) {
+      this.notice.failed(error);
+    }
+  }
+
+  #drawn() {
     const { el, view } = this;
-    if (this.sizeOf(view.canvases[0])[0] === 0) return; // not on the page yet
     const start = performance.now();
     this.theme ??= themeOf(el, view.colors);
     const first = this.words === '';
@@ -130,7 +160,15 @@ export class Lifecycle {
     if (first) set(this.live, this.words);
     el.dispatchEvent(new CustomEvent('rlswaim:drawn', { bubbles: true, detail }));
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.later(), LAG);
+    this.timer = window.setTimeout(() => this.#later(), LAG);
+  }
+
+  #later() {
+    try {
+      this.later();
+    } catch (error) {
+      this.notice.failed(error);
+    }
   }
 
   /** Words for a screen reader and the address follow when the hand rests. */
@@ -145,11 +183,14 @@ export class Lifecycle {
     writeAddress(this.name, this.view.state.toAddress());
   }
 
-  #readAddress() {
+  /** @param {boolean} shows whether the page goes to the view that the address is about */
+  #readAddress(shows) {
     const texts = readAddress(this.name);
     if (Object.keys(texts).length === 0) return;
-    this.view.state.fromAddress(texts);
+    const notes = this.view.state.fromAddress(texts);
     this.view.arrived?.(texts);
+    this.notice.opened(notes);
     this.follow();
+    if (shows && isFirstInAddress(this.name)) showOnPage(this.el);
   }
 }

@@ -1,6 +1,8 @@
 // The parameters of a view: their values are the model's. As a snapshot for undo, and as texts for the page's
 // address.
-/** @import { Model, Parameter, Payload, Values } from '../types.d.ts' */
+import { unknownNames, valuesFrom } from './address_values.js';
+
+/** @import { Model, Payload, Values } from '../types.d.ts' */
 
 /** Are the values of a set those of the present state? @param {Values} values @param {Values} present */
 export const holds = (values, present) =>
@@ -51,29 +53,24 @@ export class ParameterState {
     return Object.fromEntries(values.filter(([name, value]) => value !== this.payload.initial[name]));
   }
 
+  reset() {
+    this.set(this.payload.initial);
+  }
+
+  /** Names that an address may use beside the parameters'. @returns {string[]} */
+  get otherNames() {
+    return [];
+  }
+
   /**
-   * What an address says, as far as it makes sense; the rest stays as it is.
+   * Takes from an address what makes sense; the rest stays as it is. Returns notes on what was changed or left
+   * out.
    * @param {Record<string, string>} texts
    */
   fromAddress(texts) {
-    const values = this.own.map((parameter) => [parameter.name, this.#valueOf(parameter, texts)]);
-    this.set(Object.fromEntries(values.filter(([, value]) => value !== undefined)));
-  }
-
-  /** @param {Parameter} parameter @param {Record<string, string>} texts */
-  #valueOf({ name, grid }, texts) {
-    const text = texts[name] ?? '';
-    if (typeof grid[0] === 'string') return grid.includes(text) ? text : undefined;
-    const value = text.trim() === '' ? NaN : Number(text);
-    if (grid.every(Number.isInteger) && !Number.isInteger(value)) return undefined;
-    return Number.isFinite(value) && this.allows(grid, value) ? value : undefined;
-  }
-
-  /**
-   * May a parameter have a value that its slider hasn't? Between the slider's ends.
-   * @param {number[]} grid @param {number} value
-   */
-  allows(grid, value) {
-    return value >= grid[0] && value <= grid.at(-1);
+    const { values, notes } = valuesFrom(this.own, texts);
+    this.set(values);
+    const known = [...this.own.map(({ name }) => name), ...this.otherNames];
+    return [...notes, ...unknownNames(Object.keys(texts), known)];
   }
 }

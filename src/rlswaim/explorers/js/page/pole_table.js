@@ -1,8 +1,9 @@
 // Poles as text: the table of the page, and the same as CSV.
 import { element, headRow, set } from './elements.js';
 import { digits } from './numbers.js';
+import { asText } from './take_away.js';
 
-/** @import { Pole, Theme } from '../types.d.ts' */
+/** @import { Pole, Theme, Values } from '../types.d.ts' */
 
 const HEADS = ['real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'];
 
@@ -91,11 +92,12 @@ export class PoleTable {
   }
 }
 
-/** @param {Pole[]} poles */
-export function polesAsText(poles) {
+/** @param {Pole[]} poles @param {Values} values of the parameters */
+export function polesAsText(poles, values) {
   const rows = poles.map(({ re, im, name }) => {
     const size = Math.hypot(re, im);
-    return [name, re, im, size, size ? -re / size : '', stability(re)].join();
+    return [name, re, im, size, size ? -re / size : '', stability(re)];
   });
-  return ['leaves from,real (1/s),imaginary (1/s),omega (rad/s),zeta,stability', ...rows, ''].join('\n');
+  const heads = ['leaves from', 'real (1/s)', 'imaginary (1/s)', 'omega (rad/s)', 'zeta', 'stability'];
+  return asText(heads, rows, values);
 }

@@ -14,6 +14,45 @@ export function download(name, type, text) {
 }
 
 /**
+ * A file's name that tells the state: rate-attitude_K_A=1.8_K_C=10_poles.csv.
+ * @param {string} system @param {Values} values @param {string} what
+ */
+export function fileName(system, values, what) {
+  const parts = Object.entries(values).map(([name, value]) => `${name}=${value}`.replaceAll(' ', '-'));
+  return [system, ...parts, what].join('_');
+}
+
+/**
+ * Rows as CSV, each with the values of the parameters in columns of their own.
+ * @param {string[]} heads @param {unknown[][]} rows @param {Values} values
+ */
+export function asText(heads, rows, values) {
+  /** @param {unknown} cell */
+  const quoted = (cell) => (/[",\n]/.test(String(cell)) ? `"${String(cell).replaceAll('"', '""')}"` : cell);
+  const all = [[...heads, ...Object.keys(values)], ...rows.map((row) => [...row, ...Object.values(values)])];
+  return `${all.map((row) => row.map(quoted).join()).join('\n')}\n`;
+}
+
+/** A number as programs write it, from one as the page does: −1,234.5 or 6.7·10⁻⁴. @param {string} text */
+function plain(text) {
+  const trimmed = text.trim();
+  const digits = trimmed
+    .replace(/·10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])/, 'e')
+    .replace(/[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]/g, (d) => '-0123456789'['⁻⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(d)])
+    .replace('−', '-')
+    .replace(/(?<=\d),(?=\d{3})/g, '');
+  return digits !== '' && Number.isFinite(Number(digits)) ? digits : trimmed;
+}
+
+/** A table of the page, with the parameters. @param {HTMLTableElement} table @param {Values} values */
+export function tableAsText(table, values) {
+  /** @param {HTMLTableRowElement} row */
+  const texts = ({ cells }) => Array.from(cells, (cell) => cell.textContent);
+  const rows = Array.from(table.tBodies[0].rows, (row) => texts(row).map(plain));
+  return asText(texts(table.tHead.rows[0]), rows, values);
+}
+
+/**
  * @param {number} width @param {number} height @param {string} title @param {string} ground
  * @param {(g: Graphics) => void} draw
  */

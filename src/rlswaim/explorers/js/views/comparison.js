@@ -1,6 +1,8 @@
 // Two designs side by side, each on a workbench of its own. The designs are chosen outside, by number.
 import { readAddress, writeAddress } from '../page/address.js';
+import { leftOut } from '../page/address_values.js';
 import { element } from '../page/elements.js';
+import { Notice } from '../page/notice.js';
 import { Workbench } from './workbench.js';
 
 /** @import { Context, Model, Values } from '../types.d.ts' */
@@ -74,12 +76,15 @@ class Side {
 }
 
 /**
- * Which designs an address names; the rest stays as it is.
+ * Which designs an address names, and notes on names that are none; the rest stays as it is.
  * @param {Record<string, string>} texts @param {number} count
  */
 function chosen(texts, count) {
-  const numbers = SIDES.map((key) => ({ key, at: Number(texts[key] ?? NaN) }));
-  return numbers.filter(({ at }) => Number.isInteger(at) && at >= 0 && at < count);
+  const named = Object.entries(texts).map(([key, text]) => ({ key, at: text === '' ? NaN : Number(text) }));
+  /** @param {{ key: string, at: number }} entry */
+  const isDesign = ({ key, at }) => SIDES.includes(key) && Number.isInteger(at) && at >= 0 && at < count;
+  const notes = named.filter((entry) => !isDesign(entry)).map(({ key }) => leftOut(key, 'not a design here'));
+  return { designs: named.filter(isDesign), notes };
 }
 
 /** @param {Context} context */
@@ -88,21 +93,33 @@ export function render({ model, el }) {
   el.dataset.explorer = NAME;
   const start = SIDES.map((key) => model.get(key));
   const sides = SIDES.map((key) => new Side(model, key));
-  const arrive = () => {
-    for (const { key, at } of chosen(readAddress(NAME), model.get('payload').designs.length))
-      model.set(key, at);
+  /** @param {{ key: string, at: number }[]} designs */
+  const choose = (designs) => {
+    for (const { key, at } of designs) model.set(key, at);
     model.save_changes();
   };
-  const changed = () => {
+  const notice = new Notice(() => choose(SIDES.map((key, i) => ({ key, at: start[i] }))));
+  const arrive = () => {
+    const texts = readAddress(NAME);
+    if (Object.keys(texts).length === 0) return;
+    const { designs, notes } = chosen(texts, model.get('payload').designs.length);
+    choose(designs);
+    notice.opened(notes);
+  };
+  const show = () => {
     for (const side of sides) side.show();
     const moved = SIDES.some((key, i) => model.get(key) !== start[i]);
     writeAddress(NAME, moved ? Object.fromEntries(SIDES.map((key) => [key, model.get(key)])) : {});
   };
+  el.append(element('div', { class: 'rlswaim-explorer' }, notice.node), ...sides.map(({ node }) => node));
   arrive();
-  el.append(...sides.map(({ node }) => node));
+  show();
+  const changed = () => {
+    notice.clear();
+    show();
+  };
   for (const key of SIDES) model.on(`change:${key}`, changed);
   addEventListener('hashchange', arrive);
-  changed();
   return () => {
     for (const { bench } of sides) bench.page.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);

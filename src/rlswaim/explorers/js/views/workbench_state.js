@@ -1,6 +1,7 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
 import { holds, ParameterState } from '../page/parameter_state.js';
-import { DURATIONS, excitationsOf, GUSTS } from './excitations.js';
+import { excitationsOf } from './excitations.js';
+import { shownFrom } from './shown_from_address.js';
 
 /** @import { Camera, Model, System, Values, What } from '../types.d.ts' */
 /**
@@ -156,45 +157,17 @@ export class WorkbenchState extends ParameterState {
     return all;
   }
 
+  get otherNames() {
+    return [...Object.keys(this.start).filter((name) => name !== 'camera'), 'window', 'magnify'].map(
+      (name) => `view.${name}`,
+    );
+  }
+
   /** @param {Record<string, string>} texts */
   fromAddress(texts) {
-    Object.assign(this.shown, this.#shownFrom(texts));
-    const magnify = Number(texts['view.magnify']);
-    if (magnify >= 1 && magnify <= 1e6) this.set({ magnify });
-    super.fromAddress(texts);
-  }
-
-  /**
-   * Any value may be typed into a box, but a station lies on the vehicle.
-   * @param {number[]} grid @param {number} value
-   */
-  allows(grid, value) {
-    return !grid.every(Number.isInteger) || super.allows(grid, value);
-  }
-
-  /** @param {Record<string, string>} texts @returns {Partial<Shown>} */
-  #shownFrom(texts) {
-    /** @type {Record<string, number[]>} */
-    const places = {
-      map: [0, this.system.maps.length],
-      input: [0, this.inputs.length],
-      printed: [-1, this.system.presets.length],
-      mode: [0, 99],
-    };
-    /** @type {Record<string, any>} */
-    const shown = {};
-    for (const [name, [first, end]] of Object.entries(places)) {
-      const at = Number(texts[`view.${name}`] ?? NaN);
-      if (Number.isInteger(at) && at >= first && at < end) shown[name] = at;
-    }
-    for (const [name, allowed] of Object.entries({ duration: DURATIONS, gust: GUSTS })) {
-      const value = Number(texts[`view.${name}`]);
-      if (allowed.includes(value)) shown[name] = value;
-    }
-    const locus = texts['view.locus'];
-    if (this.loci.some(({ key }) => key === locus)) shown.locus = locus;
-    const [x, y, w] = (texts['view.window'] ?? '').split('_').map(Number);
-    if (Number.isFinite(x) && Number.isFinite(y) && w > 0) shown.camera = { x, y, w };
-    return shown;
+    const { shown, magnify, notes } = shownFrom(this, texts);
+    Object.assign(this.shown, shown);
+    if (magnify !== undefined) this.set({ magnify });
+    return [...super.fromAddress(texts), ...notes];
   }
 }
