@@ -94,7 +94,7 @@ def _coefficient(row: Row) -> Line:
 def rows() -> tuple[Line, ...]:
     """Return the rows of all groups: fields of the data classes, coefficients, signals and gains."""
     fields = [
-        Line(group, (latex(told.symbol),), told, f"{record.__name__}.{name}")
+        Line(group, tuple(latex(told.symbol).split(r",\ ")), told, f"{record.__name__}.{name}")
         for record, group in RECORDS.items()
         for name, told in notation(record).items()
     ]
@@ -136,7 +136,7 @@ def frame(group: str) -> pd.DataFrame:
                 line.notation.unit,
                 with_formulas(line.notation.meaning),
                 line.notation.source,
-                " ".join(f"`{part}`" for part in line.place.split(".")) if line.place else "",
+                " ".join(f"`{part}`" for part in line.place.split(".")[-2:] if part),
             )
             for line in found
         ],

@@ -53,7 +53,7 @@ class PerturbationEquations:
     coefficients: Mapping[str, float] = quantity("Z, M, F_1, F_2", "see chapter I", "coefficients", "Eq. 29")
     U: float = quantity("U", "ft/s", "undisturbed speed", "Section II")
     jet: Mapping[str, float] = quantity(
-        "1/M, 1/I_y, 1/m_1, 1/m_2",
+        "1/M, 1/I_y, 1/calM_1, 1/calM_2",
         "1/slug, 1/(slug ft^2)",
         "response to a force and a moment of the reaction jet",
         "Eq. 125",
