@@ -1,0 +1,117 @@
+"""Values of the edition that the book alone would show, beside the same computed another way."""
+
+from decimal import Decimal
+
+import numpy as np
+import pytest
+
+import rlswaim as rl
+from rlswaim.edition import conclusions, firm_claims, search, section_6
+from rlswaim.loops.closed_loops import LOOPS, state_space
+from rlswaim.vehicle.equations import printed_coefficients
+
+EQS = rl.printed_equations()
+ENTRIES = {entry.id: entry for entry in rl.ledger()}
+
+
+# ---- the constant term of theta/delta
+
+
+def at_rest(coefficients):
+    """Return Eq. 29's determinant over U at s = 0, the thrust's column in theta's place."""
+    columns = (("alpha", 1), ("delta", -1), ("q1", 1), ("q2", 1))
+    rows = [
+        [sign * coefficients[f"{row}_{name}"] for name, sign in columns] for row in ("Z", "M", "F1", "F2")
+    ]
+    return np.linalg.det(rows) / EQS.U
+
+
+def test_the_constant_term_and_its_reach_are_those_of_a_determinant():
+    value, reach = conclusions.constant_term(EQS)
+    here, total = at_rest(EQS.coefficients), 0.0
+    for name, text in printed_coefficients().items():
+        half = 0.5 * 10.0 ** int(Decimal(text).as_tuple().exponent)
+        total += abs(at_rest({**EQS.coefficients, name: EQS.coefficients[name] + half}) - here)
+    assert (value, reach) == (pytest.approx(here, abs=1e-12), pytest.approx(total, rel=1e-9))
+    assert (value, reach) == pytest.approx((-0.00144, 0.00604), abs=5e-6)
+
+
+def test_the_odd_pole_and_its_zero_have_these_values():
+    assert conclusions.interlacing(EQS) == pytest.approx((1.1485, 1.3097), abs=5e-5)
+
+
+# ---- what the last printed digits can do to a claim
+
+
+def test_a_claim_is_judged_at_every_foot_or_at_the_pair_that_stands_for_all():
+    stations = {claim.split(":")[0]: places for claim, (_, places) in firm_claims.CLAIMS.items()}
+    assert stations == {"IV": (*range(421),), "V": (*range(421),), "VI": (0,)}
+
+
+@pytest.mark.parametrize("gravity", [False, True], ids=["without gravity", "with gravity"])
+@pytest.mark.parametrize("claim", ["VI: no gains stabilize", "VI: no gains leave only a slow root"])
+def test_no_last_digits_tried_bring_a_claim_nearer_than_it_says(claim, gravity):
+    found, (how, _) = firm_claims.judged(claim, gravity), firm_claims.CLAIMS[claim]
+    eqs, names = rl.printed_equations(gravity), list(printed_coefficients())
+    singles = [how(firm_claims.moved(eqs, {name: units}), 0.0) for name in names for units in (-0.5, 0.5)]
+    draw = np.random.default_rng(1964)
+    signs = draw.choice([-0.5, 0.5], (15, len(names)))
+    several = [how(firm_claims.moved(eqs, dict(zip(names, row, strict=True))), 0.0) for row in signs]
+    assert found.last_digits <= min(*singles, *several) + 1e-9
+    if gravity:  # all together do more than any one alone
+        assert found.last_digits < min(singles) - 1e-3
+
+
+# ---- Eqs. 115 and 118
+
+
+def printed_roots(start):
+    """Return printed roots by their ids, of a pair both."""
+    value = {name: entry.value for name, entry in ENTRIES.items() if name.startswith(start)}
+    pairs = [complex(v, value[n.replace("-re", "-im")]) for n, v in value.items() if n.endswith("-re")]
+    return [*(complex(v) for n, v in value.items() if n.endswith("-root")), *pairs, *np.conj(pairs)]
+
+
+def test_eq_118_as_printed_is_its_own_poles_and_the_zeros_of_eq_108():
+    s = np.array([0.5, 2j, -3 + 1j])
+    top = np.prod([s - z for z in [0, -1, *printed_roots("eq108-z")]], axis=0)
+    bottom = np.prod([s - p for p in [0, *printed_roots("eq118-p")]], axis=0)
+    assert len(printed_roots("eq118-p")) == 7
+    np.testing.assert_allclose(section_6.printed_second_loop()(s), 1356 * top / bottom, rtol=1e-9)
+
+
+# ---- the winners beside their bounds
+
+
+@pytest.mark.parametrize("system", LOOPS)
+def test_winners_stand_beside_their_bounds(system):
+    winners = [w for w in search.winners() if w.system == system]
+    between, *columns = search.beside_bounds(EQS, system).values()
+    assert len(columns) == len(winners) > 0
+    rows = search.bounds(system)
+    for text, row in zip(between.values(), rows.values(), strict=True):
+        assert text == (
+            f"fixed: {row['low']}" if row["low"] == row["high"] else f"{row['low']} to {row['high']}"
+        )
+    for column, winner in zip(columns, winners, strict=True):
+        texts = list(column.values())
+        gains = [float(text) for text in texts[: len(rows)]]
+        assert gains == pytest.approx([winner.gains[name] for name in rows], rel=1e-4)
+        poles = state_space(EQS, system, winner.gains).poles()
+        slow = min(poles, key=abs)
+        if slow.imag or abs(slow) > 1 / 110:
+            assert texts[-2:] == ["none", ""]
+        else:
+            assert float(texts[-2]) == pytest.approx(slow.real, rel=0.06, abs=1e-12)
+            assert not slow or float(texts[-1]) == pytest.approx(abs(1 / slow), abs=0.51)
+        apart = winner.objective.endswith("apart") and texts[-2] != "none"
+        largest = max(p.real for p in poles if not (apart and p == slow))
+        assert [float(text) for text in texts[len(rows) : -2]] == pytest.approx([largest] * 2, abs=1.01e-4)
+
+
+def test_units_stand_in_the_names_of_the_rows():
+    names = list(next(iter(search.beside_bounds(EQS, "dual_actuation").values())))
+    assert names == [
+        *("$K_{A}$", "$K_{C}$ (1/s)", "$K_{R}$ (s)", "$kK_{z}$ (lb s/ft)", "$K_{r}$ (1/s)", "$b$ (1/s)"),
+        *("sensor (ft)", "jet (ft)"),
+    ]
