@@ -100,17 +100,17 @@ def loci(groups):
 
 
 def growth(groups):
-    by_name = {run["name"]: run for run in groups["growth"]}
+    by_name = {run["name"]: run for run in groups.get("growth", [])}
     rows = []
     for order in sorted({int(name.split()[0]) for name in by_name}):
         picture, few, many = (by_name[f"{order} {count}"] for count in ("picture", 100, 1000))
         rows.append(f"| {order} | {time(picture)} | {1e3 * median(few):.2f} | {1e3 * median(many):.2f} |")
-    return GROWTH + "\n".join(rows) + "\n"
+    return GROWTH + "\n".join(rows) + "\n" if rows else ""
 
 
 def maps(groups):
-    rows = map(map_row, sorted(groups["station map of Section VII"], key=median))
-    return MAP + "\n".join(rows) + "\n"
+    rows = [map_row(run) for run in sorted(groups.get("station map of Section VII", []), key=median)]
+    return MAP + "\n".join(rows) + "\n" if rows else ""
 
 
 def quantile(times, percent):
@@ -124,6 +124,8 @@ def view_row(view, usual):
 
 
 def live(groups):
+    if "live views" not in groups:
+        return ""
     runs = [run["extra_info"] for run in groups["live views"]]
     usual = next(run["live_usual_ms"] for run in runs if "live_usual_ms" in run)
     pages = [run["live"] for run in runs if "live" in run]
@@ -150,7 +152,7 @@ def end(groups):
 
 
 SECTIONS = [loci, growth, maps, live, end]
-"""What the page shows below its head: each is called with the runs by group and returns Markdown."""
+"""What the page shows below its head: each takes the runs by group and returns Markdown, "" without runs."""
 
 
 def page(data):

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
+from rlswaim.figures.pole_grids import draw_damping_grid, draw_z_grid
 from rlswaim.figures.style import COLORS
 from rlswaim.loops.named_branches import NamedLocus
 from rlswaim.rootlocus.locus import RootLocus
@@ -16,33 +17,6 @@ STYLES = {"rigid": "-", "mode 1": "--", "mode 2": "-.", "actuator": ":", "jet": 
 PART_NAMES = {"rigid": "rigid body", "mode 1": "first mode", "mode 2": "second mode"}
 
 Window = tuple[float, float, float, float]
-
-
-def draw_damping_grid(ax: Axes, zetas: Sequence[float] = (0.2, 0.5, 0.8)) -> Axes:
-    """Draw rays of equal damping ratio over the left half plane.
-
-    Parameters
-    ----------
-    ax : Axes
-        Its limits are set, and stay.
-    zetas : sequence of float
-        The damping ratios.
-
-    Returns
-    -------
-    Axes
-    """
-    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
-    reach = np.hypot(left, top)
-    for zeta in zetas:
-        x, y = -zeta * reach, np.sqrt(1 - zeta**2) * reach
-        ax.plot([0, x], [0, y], color=COLORS["neutral"], lw=0.6, ls=(0, (2, 3)), zorder=0)
-        inside = min(left / x, top / y) * 0.93
-        ax.text(x * inside, y * inside, rf"$\zeta$ = {zeta:g}", fontsize=7, color=COLORS["neutral"])
-    ax.axhline(0, color="0.4", lw=0.6, zorder=0)
-    ax.axvline(0, color="0.4", lw=0.6, zorder=0)
-    ax.set(xlim=(left, right), ylim=(bottom, top))
-    return ax
 
 
 def draw_poles(ax: Axes, poles: ArrayLike, label: str, marker: str = "s", color: str = "0.15") -> Axes:
@@ -111,13 +85,15 @@ def draw_root_locus(
 ) -> Axes:
     """Draw a root locus with its open-loop poles and zeros and arrows for rising gain.
 
+    Behind it are rays of equal damping ratio, or a discrete loop's unit circle with its curves in z.
+
     Parameters
     ----------
     ax : Axes
     locus : RootLocus
         Its first gain is 0.
     window : tuple of float
-        Left, right, bottom and top of the picture (1/s).
+        Left, right, bottom and top of the picture (1/s; in z without unit).
     parts : mapping of str to sequence of int, optional
         Which branches (columns of ``locus.roots``) start from the rigid body, a mode, the actuator.
 
@@ -134,8 +110,9 @@ def draw_root_locus(
         ax.plot([], [], color=COLORS[name], ls=STYLES[name], label=f"from the {PART_NAMES.get(name, name)}")
     ax.plot(locus.poles.real, locus.poles.imag, "kx", ms=7, mew=1.5, label="open-loop poles", zorder=3)
     ax.plot(locus.zeros.real, locus.zeros.imag, "ko", ms=7, mfc="none", label="open-loop zeros", zorder=3)
-    ax.set(xlim=window[:2], ylim=window[2:], xlabel="real part (1/s)", ylabel="imaginary part (1/s)")
-    return draw_damping_grid(ax)
+    unit = "of z" if locus.discrete else "(1/s)"
+    ax.set(xlim=window[:2], ylim=window[2:], xlabel=f"real part {unit}", ylabel=f"imaginary part {unit}")
+    return draw_z_grid(ax) if locus.discrete else draw_damping_grid(ax)
 
 
 def draw_ill_determined(ax: Axes, locus: RootLocus, limit: float = 1e3) -> Axes:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.rootlocus.closed_loop import ClosedLoop, RootSets
-from rlswaim.rootlocus.continuation import between, connected, in_branches, passes_infinity
+from rlswaim.rootlocus.continuation import between, connected, nearly_connected, passes_infinity
 from rlswaim.rootlocus.open_loop import OpenLoop
 
 SCREEN = (800, 600)
@@ -96,7 +96,8 @@ def picture(
     lead = np.abs(loop.denominator).max() / np.abs(loop.numerator).max()
     gains = sign * np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
     loop.refuse_infinite(gains)
-    sets, offset = in_branches(closed.sets(gains)), lead * DECADES[0]
+    sets, offset = nearly_connected(closed, closed.sets(gains)), lead * DECADES[0]
+    finer = 1.25
     while sets.gains.size < MOST:
         size, stray = np.abs(sets.gains), _deviation(sets, axes)
         wide = size[1:] - size[:-1] > 1e-9 * (size[1:] + offset)
@@ -104,11 +105,12 @@ def picture(
         at = np.flatnonzero(bad)
         if not at.size:
             break
-        # The deviation falls with the square of the step.
-        pieces = np.clip(np.ceil(1.25 * np.sqrt(stray[at] / tolerance)), 2, 12).astype(int)
+        # The deviation falls with the square of the step.  A further round costs more than some gains.
+        pieces = np.clip(np.ceil(finer * np.sqrt(stray[at] / tolerance)), 2, 12).astype(int)
+        finer *= 2
         sizes, which = _cut(size[at], size[at + 1], pieces, offset)
         more = between(closed, sets.at(at[which]), sets.at(at[which] + 1), sign * sizes)
         order = np.append(size, sizes).argsort(kind="stable")
         sets = RootSets(*(np.concatenate(parts)[order] for parts in zip(sets, more, strict=True)))
-        sets = in_branches(sets)
-    return sets.gains, connected(closed, sets)
+        sets = nearly_connected(closed, sets)
+    return sets.gains, connected(closed, sets).roots

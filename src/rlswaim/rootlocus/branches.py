@@ -25,7 +25,7 @@ def squared_distances(a: NDArray, b: NDArray) -> NDArray:
     return np.asarray(square)
 
 
-def match_roots(before: NDArray, after: NDArray, turns: NDArray | None = None) -> NDArray:
+def assigned(square: NDArray, turns: NDArray | None = None) -> NDArray:
     """Return for each root of each set the index of its successor in another set.
 
     The pairing is the assignment of least total distance.  Where every root has
@@ -34,7 +34,8 @@ def match_roots(before: NDArray, after: NDArray, turns: NDArray | None = None) -
 
     Parameters
     ----------
-    before, after : ndarray of complex, shape (K, n)
+    square : ndarray, shape (K, n, n)
+        Squares of the distances of each root to each possible successor, infinite to the others.
     turns : ndarray, shape (K, n, n), optional
         From 0 to 1: how far each root's eigenvector turns on the way to each successor.  It counts as
         up to twice the distance, which tells apart branches that nearly cross.
@@ -43,7 +44,6 @@ def match_roots(before: NDArray, after: NDArray, turns: NDArray | None = None) -
     -------
     ndarray of int, shape (K, n)
     """
-    square = squared_distances(before, after)
     nearest = square.argmin(axis=2)
     reached = np.zeros(nearest.shape, dtype=bool)
     reached[np.arange(len(nearest))[:, None], nearest] = True
@@ -82,7 +82,7 @@ def branch_order(values: NDArray, vectors: NDArray) -> NDArray:
     ndarray of int, shape (K, n)
     """
     turns = 1 - np.abs(vectors[:-1].conj().swapaxes(1, 2) @ vectors[1:])
-    return in_order(match_roots(values[:-1], values[1:], turns))
+    return in_order(assigned(squared_distances(values[:-1], values[1:]), turns))
 
 
 def continuous_branches(values: NDArray) -> NDArray:
@@ -96,4 +96,4 @@ def continuous_branches(values: NDArray) -> NDArray:
     -------
     ndarray of complex, shape (K, n)
     """
-    return np.take_along_axis(values, in_order(match_roots(values[:-1], values[1:])), axis=1)
+    return np.take_along_axis(values, in_order(assigned(squared_distances(values[:-1], values[1:]))), axis=1)

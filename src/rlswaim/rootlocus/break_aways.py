@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.aberth import aberth, real_and_conjugate
+from rlswaim.rootlocus.aberth import EPS, aberth, real_and_conjugate
 from rlswaim.rootlocus.open_loop import OpenLoop, Places
-from rlswaim.rootlocus.repeated_roots import EPS, linked
+from rlswaim.rootlocus.repeated_roots import linked
 
 ROUND = 64
 """Rounding of a sum or product of P terms counts as so many times P EPS at most."""
@@ -43,28 +43,26 @@ def break_aways(loop: OpenLoop) -> tuple[BreakAway, ...]:
     repeated = places.points[(places.weights < -1) & (places.points.imag >= 0)]
     found = [BreakAway(0.0, point) for point in repeated.tolist()]
     points = _stationary(places)
-    for point in points[points.imag >= 0].tolist():
-        gain = _gain(loop, point)
-        if gain is not None:
-            found.append(BreakAway(gain, point))
+    points = points[points.imag >= 0]
+    gains, fixed = _gains(loop, points)
+    found += [BreakAway(*b) for b in zip(gains[fixed].tolist(), points[fixed].tolist(), strict=True)]
     return tuple(sorted(found, key=lambda b: (b.gain, b.point.real, b.point.imag)))
 
 
-def _gain(loop: OpenLoop, point: complex) -> float | None:
-    """Return the gain -1/G at a point where G' = 0; None if it is not real, or the data do not fix it."""
-    points, weights, errors = loop.places
-    distance = point - points
+def _gains(loop: OpenLoop, at: NDArray) -> tuple[NDArray, NDArray]:
+    """Return the gains -1/G at points (M,) where G' = 0, and which of them are real and fixed by the data."""
+    points, weights, errors = (part[:, None] for part in loop.places)
+    distance = at - points
     with np.errstate(all="ignore"):
         sizes = np.abs(weights / distance)
-        relative = (errors * sizes).sum()
+        relative = (errors * sizes).sum(axis=0)
         # The gain is stationary here: an error of the point counts with its square.
-        slope_error = (errors * np.abs(sizes / distance)).sum() + points.size * EPS * sizes.sum()
-        relative += slope_error**2 / np.abs((weights / distance**2).sum())
-        gain = -np.exp(-(weights * np.log(distance)).sum()) / loop.gain
-    if not np.isfinite(gain) or not relative < 1:
-        return None
-    limit = ROUND * points.size * EPS + min(4 * relative, 1e-6)
-    return float(gain.real) if abs(gain.imag) <= limit * abs(gain) else None
+        slope_error = (errors * np.abs(sizes / distance)).sum(axis=0) + points.size * EPS * sizes.sum(axis=0)
+        relative += slope_error**2 / np.abs((weights / distance**2).sum(axis=0))
+        gains = -np.exp(-(weights * np.log(distance)).sum(axis=0)) / loop.gain
+        limit = ROUND * points.size * EPS + np.minimum(4 * relative, 1e-6)
+        real = np.abs(gains.imag) <= limit * np.abs(gains)
+    return gains.real, real & (relative < 1) & np.isfinite(gains)
 
 
 def _stationary(places: Places) -> NDArray:

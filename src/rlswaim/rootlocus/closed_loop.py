@@ -6,10 +6,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.aberth import Slopes, aberth, real_and_conjugate, starting_points
+from rlswaim.rootlocus.aberth import EPS, MEET, Slopes, aberth, real_and_conjugate, starting_points
 from rlswaim.rootlocus.branches import squared_distances
 from rlswaim.rootlocus.open_loop import OpenLoop
-from rlswaim.rootlocus.repeated_roots import EPS
 
 BLOCK = 20_000
 """So many pairs of roots at a time: they stay in the processor's cache."""
@@ -94,9 +93,8 @@ class ClosedLoop:
             kN = k * N
             F, derivative = D + kN, D_slope + k * N_slope
             terms, size, steep = np.abs(D) + np.abs(kN), np.abs(s), np.abs(derivative)
-            known = steep * np.maximum(size, 1e-6) > 1e-6 * terms
-            known &= 1e-100 * self.size * np.abs(N) < steep
-            tangents[:, which] = np.where(known, -self.size * N / derivative, 0)
+            double = steep * np.maximum(size, 1e-6) <= 1e-6 * terms
+            tangents[:, which] = np.where(double, 0, -self.size * N / derivative)
             return derivative / F, np.abs(F) <= np.maximum(rounding * terms, EPS * size * steep)
 
         return slopes
@@ -158,30 +156,31 @@ class ClosedLoop:
 
     @cached_property
     def _leaving(self) -> NDArray:
-        """The tangents (n,) at the poles."""
-        tangents, poles = np.empty((self.order, 1), complex), self.loop.moving_poles[:, None] / self.size
+        """The tangents (n,) at the poles; 0 where poles meet."""
+        tangents, poles = np.empty((self.order, 1), complex), self.loop.moving_poles / self.size
         with np.errstate(all="ignore"):
-            self.slopes(np.zeros(1), tangents)(poles, np.zeros(1, int))
-        return tangents[:, 0]
+            self.slopes(np.zeros(1), tangents)(poles[:, None], np.zeros(1, int))
+        meet = (np.abs(poles[:, None] - poles) <= MEET * np.abs(poles)).sum(axis=1) > 1
+        return np.where(meet | ~np.isfinite(tangents[:, 0]), 0, tangents[:, 0])
 
     def _corrected(self, gains: NDArray, guess: NDArray) -> tuple[NDArray, NDArray]:
         """Return scaled roots (n, K) by Aberth's iteration, anew where it fails, and tangents (n, K)."""
         tangents = np.empty(guess.shape, complex)
         slopes = self.slopes(gains, tangents)
-        roots, found = aberth(slopes, guess, steps=8 if self.counts.max() <= REPEATED else 60)
+        roots, found, meet = aberth(slopes, guess, steps=8 if self.counts.max() <= REPEATED else 60)
         roots, paired = _in_pairs(roots)
         for at in np.flatnonzero(~(found & paired & self._complete(gains, roots))):
             roots[:, at] = self._anew(gains[at : at + 1], guess[:, at])
             with np.errstate(all="ignore"):
                 slopes(roots[:, [at]], np.array([at]))
-        return roots, tangents
+        return roots, np.where(meet | ~np.isfinite(tangents), 0, tangents)
 
     def _anew(self, gain: NDArray, guess: NDArray) -> NDArray:
         """Return the scaled roots (n,) at one ``gain`` (1,) from a ``guess`` (n,) without symmetry."""
         turns = np.exp(1j * np.arange(guess.size))
         first = guess + 1e-3 * (np.abs(guess) + 1e-3) * turns
         slopes = self.slopes(gain, np.empty((guess.size, 1), complex))
-        values, found = aberth(slopes, first[:, None], steps=60)
+        values, found, _ = aberth(slopes, first[:, None], steps=60)
         if not found[0] or not self._complete(gain, values)[0]:
             circle = 2 * (1 + np.abs(guess).max()) * turns ** (2 * np.pi / guess.size)
             again = aberth(slopes, circle[:, None] * np.exp(0.5j), steps=200)
@@ -197,19 +196,18 @@ class ClosedLoop:
     def _nodes(self) -> NDArray:
         """Return as many distinct points as there are poles: reals, then pairs, the upper one first."""
         poles, counts = self.points[: self.poles], self.counts[: self.poles]
-        nodes = []
-        for pole, count in zip(poles[poles.imag >= 0], counts[poles.imag >= 0], strict=True):
+        upper = [pole for pole, count in zip(poles, counts, strict=True) if count == 1 and pole.imag > 0]
+        real = [pole for pole, count in zip(poles, counts, strict=True) if count == 1 and pole.imag == 0]
+        for pole, count in zip(poles, counts, strict=True):
+            if count == 1 or pole.imag < 0:
+                continue
             others = np.abs(self.points - pole)
-            radius = 0.3 * min(others[others > 0].min(initial=2.0), 2.0) if count > 1 else 0.0
+            radius = 0.3 * min(others[others > 0].min(initial=2.0), 2.0)
             circle = pole + radius * np.exp(1j * np.pi * (2 * np.arange(count) + 1) / count)
-            if pole.imag == 0:
-                half = circle[: count // 2]
-                nodes += [*half, *half.conj()] + [pole.real - radius] * (count % 2)
-            else:
-                nodes += [*circle, *circle.conj()]
-        found = np.array(nodes, complex)
-        real, upper = found[found.imag == 0], found[found.imag > 0]
-        return np.concatenate([real, np.stack([upper, upper.conj()], axis=1).ravel()])
+            upper += [*circle[: count if pole.imag else count // 2]]
+            real += [] if pole.imag else [pole.real - radius] * (count % 2)
+        pairs = np.array(upper, complex)
+        return np.concatenate([np.array(real, complex), np.stack([pairs, pairs.conj()], axis=1).ravel()])
 
 
 def _in_pairs(s: NDArray) -> tuple[NDArray, NDArray]:

@@ -1,13 +1,14 @@
 """Crossings: where branches of a root locus pass the imaginary axis or, in discrete time, the unit circle."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rlswaim.rootlocus.aberth import EPS
 from rlswaim.rootlocus.open_loop import OpenLoop
-from rlswaim.rootlocus.real_phase import Phase, real_frequencies
-from rlswaim.rootlocus.repeated_roots import EPS
+from rlswaim.rootlocus.real_phase import Phases, real_frequencies
 
 SURE = 8.0
 """A pole or zero is on the border if it is nearer than so many times its error."""
@@ -27,6 +28,7 @@ class Crossing(NamedTuple):
     direction: int
 
 
+@lru_cache(maxsize=8)
 def crossings(loop: OpenLoop) -> tuple[Crossing, ...]:
     """Return where branches cross the imaginary axis, or the unit circle: 1 + k G = 0 with real k.
 
@@ -35,6 +37,7 @@ def crossings(loop: OpenLoop) -> tuple[Crossing, ...]:
     on the border if rounding of the data could put it there.  Branches that touch the border or run
     along it do not cross it, nor do common factors of numerator and denominator.  A crossing is left
     out if rounding of the data moves its gain or its frequency by more than its size.
+    The last few loops' are kept: a picture needs them, and its reader asks for them again.
 
     Parameters
     ----------
@@ -49,12 +52,7 @@ def crossings(loop: OpenLoop) -> tuple[Crossing, ...]:
     if not loop.gain or places.points.size == 0:
         return ()
     border = _on_axis(loop)
-    found = []
-    for omega, slope in _frequencies(border):
-        crossing = _crossing(loop, border, omega, slope)
-        if crossing is not None:
-            found.append(crossing)
-    return tuple(sorted(found))
+    return tuple(sorted(_at(loop, border, *_frequencies(border))))
 
 
 class _Border(NamedTuple):
@@ -99,58 +97,75 @@ def _without_mirrored(border: _Border) -> tuple[NDArray, NDArray]:
     return x[w != 0], w[w != 0]
 
 
-def _frequencies(border: _Border) -> list[tuple[float, float]]:
-    """Return the frequencies from 0 up at which G is real, with the phase's slope there."""
+def _frequencies(border: _Border) -> tuple[NDArray, NDArray]:
+    """Return the frequencies (M,) from 0 up at which G is real, and the phase's slope (M,) there."""
     x, w = _without_mirrored(border)
     if x.size == 0:
-        return []
+        return np.zeros(0), np.zeros(0)
     middle = float(np.exp(np.log(np.abs(x)).mean())) * 1.0123
     on_axis = float(border.weights[border.on_it].sum())
-    low = Phase(x.real, x.imag, w, np.pi / 2 * (on_axis % 2))
     # With v = 1/omega a place x is one at -1/x, and turns the phase by a right angle more.
-    inverse = -1 / x
-    high = Phase(inverse.real, inverse.imag, w, np.pi / 2 * ((on_axis + w.sum()) % 2))
-    found = real_frequencies(low, middle)
-    beyond = 1 / real_frequencies(high, 1 / middle)
-    beyond = beyond[beyond > middle * (1 + 1e-12)]
-    omega = np.concatenate([[0.0], found, beyond])
-    pairs = list(zip(omega.tolist(), low.slope(omega).tolist(), strict=True))
+    both, turns = np.stack([x, -1 / x], axis=1), np.array([on_axis, on_axis + w.sum()])
+    phases = Phases(both.real, both.imag, w[:, None], np.pi / 2 * (turns % 2))
+    found, beyond = real_frequencies(phases, np.array([middle, 1 / middle]))
+    beyond = 1 / beyond
+    omega = np.concatenate([[0.0], found, beyond[beyond > middle * (1 + 1e-12)]])
+    slope = phases.at(np.zeros(omega.size, int)).slope(omega)
     if border.infinity:
-        pairs.append((np.inf, -float(high.slope(np.zeros(1))[0])))
-    return pairs
+        omega = np.append(omega, np.inf)
+        slope = np.append(slope, -phases.slope(np.zeros(2))[1])
+    return omega, slope
 
 
-def _crossing(loop: OpenLoop, border: _Border, omega: float, slope: float) -> Crossing | None:
-    """Return the crossing at a frequency on the border; None if there is none, or the data do not fix it."""
+def _at(loop: OpenLoop, border: _Border, omega: NDArray, slope: NDArray) -> list[Crossing]:
+    """Return the crossings at frequencies on the border, if there are some and the data fix them.
+
+    Parameters
+    ----------
+    loop : OpenLoop
+    border : _Border
+    omega, slope : ndarray, shape (M,)
+        As from `_frequencies`.
+
+    Returns
+    -------
+    list of Crossing
+    """
     angle = 2 * np.arctan(omega)
-    point = np.exp(1j * angle) if loop.discrete else 1j * omega
-    if angle == np.pi:
-        point = -1.0 + 0j
-    x, weights, errors = loop.places
+    point = np.where(angle == np.pi, -1, np.exp(1j * angle)) if loop.discrete else 1j * omega
+    x, weights, errors = (part[:, None] for part in loop.places)
     distance = point - x
-    if (np.abs(distance) <= SURE * errors).any():
-        return None
-    gain = -np.exp(-(weights * np.log(distance)).sum()).real / loop.gain
-    relative = (np.abs(weights / distance) * errors).sum()
-    if not np.isfinite(gain) or relative + _moved(border, omega, slope) >= 1:
-        return None
-    return Crossing(
-        float(gain), float(angle if loop.discrete else omega), int(-np.sign(gain) * np.sign(slope))
-    )
+    with np.errstate(all="ignore"):
+        gain = -np.exp(-(weights * np.log(distance)).sum(axis=0)).real / loop.gain
+        relative = (np.abs(weights / distance) * errors).sum(axis=0) + _moved(border, omega, slope)
+    fixed = np.isfinite(gain) & (relative < 1) & (np.abs(distance) > SURE * errors).all(axis=0)
+    direction = (-np.sign(gain) * np.sign(slope))[fixed].astype(int)
+    where = (angle if loop.discrete else omega)[fixed]
+    return [Crossing(*c) for c in zip(gain[fixed].tolist(), where.tolist(), direction.tolist(), strict=True)]
 
 
-def _moved(border: _Border, omega: float, slope: float) -> float:
-    """Return the relative change of gain or frequency by rounding of the data; infinity if all is open."""
-    x, weights, errors, *_ = border
-    if omega == np.inf:  # the phase is known there, its slope by 1/omega is the sum of weights times Re x
-        open_slope = (np.abs(weights) * (errors + ROUND * x.size * EPS * np.abs(x.real))).sum()
-        return 0.0 if open_slope < abs(slope) else np.inf
+def _moved(border: _Border, omega: NDArray, slope: NDArray) -> NDArray:
+    """Return the relative change of gain or frequency by rounding of the data; infinity if all is open.
+
+    Parameters
+    ----------
+    border : _Border
+    omega, slope : ndarray, shape (M,)
+
+    Returns
+    -------
+    ndarray, shape (M,)
+    """
+    x, weights, errors = (part[:, None] for part in border[:3])
+    rounding = ROUND * x.size * EPS
     distance = 1j * omega - x
-    inverse = np.abs(weights / distance)
-    turned = (inverse * errors).sum()
-    open_slope = (inverse * errors / np.abs(distance)).sum()
-    open_slope += ROUND * x.size * EPS * np.abs((weights / distance).real).sum()
-    if open_slope >= abs(slope):
-        return np.inf
-    step = turned / abs(slope)
-    return float(max(step * np.abs((weights / distance).sum()), step / omega if omega else 0.0))
+    toward = weights / distance
+    inverse = np.abs(toward)
+    open_slope = (inverse * errors / np.abs(distance)).sum(axis=0)
+    open_slope += rounding * np.abs(toward.real).sum(axis=0)
+    step = (inverse * errors).sum(axis=0) / np.abs(slope)
+    moved = step * np.maximum(np.abs(toward.sum(axis=0)), np.where(omega > 0, 1 / omega, 0))
+    # At infinity the phase is known, and its slope by 1/omega is the sum of weights times Re x.
+    beyond = (np.abs(weights) * (errors + rounding * np.abs(x.real))).sum()
+    open_slope, moved = np.where(omega == np.inf, [[beyond], [0]], [open_slope, moved])
+    return np.where(open_slope < np.abs(slope), moved, np.inf)

@@ -38,7 +38,6 @@ class RootLocus:
     poles, zeros : ndarray of complex
         Open-loop poles and zeros, common ones too; empty for a locus in another parameter than the gain.
     break_aways : tuple of BreakAway
-    crossings : tuple of Crossing
     """
 
     gains: NDArray
@@ -46,7 +45,6 @@ class RootLocus:
     poles: NDArray
     zeros: NDArray
     break_aways: tuple[BreakAway, ...] = ()
-    crossings: tuple[Crossing, ...] = ()
     loop: OpenLoop | None = None
     sensitivity: NDArray | None = None
 
@@ -65,6 +63,11 @@ class RootLocus:
         """Whether all roots are within the unit circle, or left of the imaginary axis, shape (K,)."""
         inside = np.abs(self.roots) < 1 if self.discrete else self.roots.real < 0
         return np.asarray(inside.all(axis=1))
+
+    @cached_property
+    def crossings(self) -> tuple[Crossing, ...]:
+        """Where branches cross the border of stability; found when first asked for."""
+        return () if self.loop is None else crossings(self.loop)
 
     @cached_property
     def condition(self) -> NDArray:
@@ -197,9 +200,9 @@ def root_locus(
         raise ValueError(f"sign in root_locus: got {sign!r}, wanted 1 or -1")
     view = default_axes(loop) if axes is None else _checked_axes(axes)
     limit = checks.positive("tolerance", tolerance, "root_locus")
-    closed, breaks, crosses = ClosedLoop(loop), break_aways(loop), crossings(loop)
+    closed, breaks = ClosedLoop(loop), break_aways(loop)
     if gains is None:
-        marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crosses])
+        marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crossings(loop)])
         if loop.D:  # a root passes through infinity: go close on either side
             lost = -sign / loop.D
             near = lost * (1 + np.array([-1e-7, 1e-7]))
@@ -211,7 +214,7 @@ def root_locus(
             raise ValueError(f"gains in root_locus: got shape {chosen.shape}, wanted one dimension")
         moving = solve(closed, chosen, _meetings(breaks))
     values = np.concatenate([moving, np.tile(loop.resting, (chosen.size, 1))], axis=1)
-    return RootLocus(chosen, values, loop.poles, loop.zeros, breaks, crosses, loop)
+    return RootLocus(chosen, values, loop.poles, loop.zeros, breaks, loop)
 
 
 def _checked_axes(axes: Axes) -> Axes:

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.signal import ZerosPolesGain
 
-from rlswaim.rootlocus.aberth import real_and_conjugate
+from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
 from rlswaim.rootlocus.polynomials import trimmed
-from rlswaim.rootlocus.repeated_roots import EPS, Points, points_of_polynomial
+from rlswaim.rootlocus.repeated_roots import Points, points_of_polynomial
 from rlswaim.rootlocus.state_space import transfer_of_state_space
 from rlswaim.source import checks
 
@@ -66,13 +66,13 @@ class OpenLoop:
     def _common(self) -> tuple[NDArray, NDArray]:
         """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding."""
         (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
-        free, gone = np.ones(poles.size, bool), np.zeros(zeros.size, bool)
-        for i, (zero, error) in enumerate(zip(zeros, zero_errors, strict=True)):
-            distance = np.where(free, np.abs(poles - zero) - 8 * (pole_errors + error), np.inf)
-            at = int(distance.argmin())
-            if distance[at] <= 0:
-                free[at], gone[i] = False, True
-        return ~free, gone
+        gone_poles, gone = np.zeros(poles.size, bool), np.zeros(zeros.size, bool)
+        beyond = np.abs(zeros[:, None] - poles) - 8 * (zero_errors[:, None] + pole_errors)
+        for i in np.flatnonzero((beyond <= 0).any(axis=1)):
+            at = int(np.where(gone_poles, np.inf, beyond[i]).argmin())
+            if beyond[i, at] <= 0 and not gone_poles[at]:
+                gone_poles[at] = gone[i] = True
+        return gone_poles, gone
 
     @cached_property
     def resting(self) -> NDArray:

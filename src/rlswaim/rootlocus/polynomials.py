@@ -1,7 +1,6 @@
 """Polynomials and polynomial matrices in floats; coefficients run from the constant term up."""
 
 import numpy as np
-from numpy.polynomial import polynomial as npp
 from numpy.typing import ArrayLike, NDArray
 
 
@@ -81,7 +80,10 @@ def _roots_elsewhere(p: NDArray) -> NDArray:
         logs = np.log(np.abs(p))
     log_size = (logs[0] - logs[-1]) / (p.size - 1)
     logs += log_size * np.arange(p.size)
-    return _polished(p, np.exp(log_size) * npp.polyroots(np.sign(p) * np.exp(logs - logs.max())))
+    scaled = np.sign(p) * np.exp(logs - logs.max())
+    companion = np.eye(p.size - 1, k=1)
+    companion[-1] = -scaled[:-1] / scaled[-1]
+    return _polished(p, np.exp(log_size) * np.linalg.eigvals(companion))
 
 
 def horner(
@@ -103,6 +105,11 @@ def horner(
         p(s), p'(s), and the sum of sizes times |s|^i: the error of p(s) is of order 2^-52 times that.
     """
     size, sizes = np.abs(s), np.abs(coefficients) if sizes is None else sizes
+    if coefficients.ndim == 1:  # one polynomial: what need not be exact to the last digit all at once
+        powers, p = np.vander(s, coefficients.size, increasing=True), coefficients[-1]
+        for c in coefficients[-2::-1].tolist():
+            p = p * s + c
+        return p, powers[:, :-1] @ derivative(coefficients), np.abs(powers) @ sizes
     p, slope, terms = coefficients[-1] + 0 * s, 0 * s, sizes[-1] + 0 * size
     for c, c_size in zip(coefficients[-2::-1], sizes[-2::-1], strict=True):
         slope = slope * s + p

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.repeated_roots import EPS
+from rlswaim.rootlocus.aberth import EPS
 
 SPREAD = np.array([-8.0, -2.5, -1.0, -0.4, 0.0, 0.4, 1.0, 2.5, 8.0])
 """First points around each place, times its distance from the axis."""
@@ -13,47 +13,71 @@ LEVELS = 60
 """So often an interval is halved at most: then it is as narrow as its ends' rounding."""
 
 
-class Phase(NamedTuple):
-    """The phase offset + sum of weights atan((omega - imag)/(-real)) of places real + j imag off the axis."""
+class Phases(NamedTuple):
+    """S phases offset + sum of weights atan((omega - imag)/(-real)) of places real + j imag off the axis.
+
+    Places (P, S), weights (P, 1), offsets (S,).
+    """
 
     real: NDArray
     imag: NDArray
     weights: NDArray
-    offset: float
+    offsets: NDArray
+
+    def at(self, which: NDArray) -> "Phases":
+        """Return the phases of given numbers."""
+        return Phases(self.real[:, which], self.imag[:, which], self.weights, self.offsets[which])
 
     def terms(self, omega: NDArray) -> NDArray:
-        """Return each place's part of the phase at ``omega`` (M,), shape (P, M); each rises or falls."""
-        return -self.weights[:, None] * np.arctan((omega - self.imag[:, None]) / self.real[:, None])
+        """Return each place's part (P, S), rising or falling, of each phase at its own ``omega`` (S,)."""
+        return -self.weights * np.arctan((omega - self.imag) / self.real)
 
     def slope(self, omega: NDArray) -> NDArray:
-        """Return the derivative of the phase at ``omega``."""
-        return self._slopes((omega - self.imag[:, None]) ** 2).sum(axis=0)
+        """Return the derivative of each phase at its own ``omega`` (S,)."""
+        return self._slopes((omega - self.imag) ** 2).sum(axis=0)
 
     def _slopes(self, square: NDArray) -> NDArray:
-        return (-self.weights * self.real)[:, None] / (self.real[:, None] ** 2 + square)
+        return -self.weights * self.real / (self.real**2 + square)
 
     def slope_bounds(self, low: NDArray, high: NDArray) -> tuple[NDArray, NDArray]:
-        """Return bounds of the derivative of the phase on intervals.
+        """Return the least and the most (S,) that the derivative of each phase can be in its own interval.
 
         Parameters
         ----------
-        low, high : ndarray, shape (K,)
-            Ends of each interval (rad/s; in discrete time rad).
-
-        Returns
-        -------
-        tuple of ndarray, shape (K,)
-            The least and the most that it can be.
+        low, high : ndarray, shape (S,)
+            Ends of the intervals (rad/s; in discrete time rad).
         """
-        before, after = low - self.imag[:, None], high - self.imag[:, None]
+        before, after = low - self.imag, high - self.imag
         least = np.maximum(np.maximum(before, -after), 0.0)
         most = np.maximum(np.abs(before), np.abs(after))
         ends = self._slopes(least**2), self._slopes(most**2)
         return np.minimum(*ends).sum(axis=0), np.maximum(*ends).sum(axis=0)
 
 
-def real_frequencies(phase: Phase, top: float) -> NDArray:
-    """Return all frequencies within (0, top] where the phase passes a multiple of pi.
+class _Intervals(NamedTuple):
+    """M intervals, the number of the phase in each, and its terms (P, M) at both ends."""
+
+    low: NDArray
+    high: NDArray
+    which: NDArray
+    at_low: NDArray
+    at_high: NDArray
+
+    def at(self, mask: NDArray) -> "_Intervals":
+        """Return some of the intervals."""
+        return _Intervals(*(part[..., mask] for part in self))
+
+    def halves(self, phases: Phases) -> "_Intervals":
+        """Return the lower halves, then the upper halves."""
+        middle = (self.low + self.high) / 2
+        at_middle = phases.at(self.which).terms(middle)
+        lower = self._replace(high=middle, at_high=at_middle)
+        upper = self._replace(low=middle, at_low=at_middle)
+        return _Intervals(*(np.concatenate(parts, axis=-1) for parts in zip(lower, upper, strict=True)))
+
+
+def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
+    """Return for each phase all frequencies within (0, top] where it passes a multiple of pi.
 
     Intervals are halved until each either can be excluded, because no multiple of pi lies between
     the bounds of the phase, or has a phase that only rises or only falls.  Places where the phase
@@ -61,73 +85,81 @@ def real_frequencies(phase: Phase, top: float) -> NDArray:
 
     Parameters
     ----------
-    phase : Phase
-    top : float
+    phases : Phases
+    tops : ndarray, shape (S,)
 
     Returns
     -------
-    ndarray
+    list of ndarray
     """
-    grid = (phase.imag[:, None] + np.abs(phase.real[:, None]) * SPREAD).ravel()
-    grid = np.unique(np.concatenate([[0.0, top], grid[(grid > 0) & (grid < top)]]))
-    low, high, brackets = grid[:-1], grid[1:], []
+    cells, found = _first_intervals(phases, tops), []
+    rounding = 8 * phases.weights.size * EPS * np.pi
     for _ in range(LEVELS):
-        low, high = _possible(phase, low, high)
-        if not low.size:
+        change, start = cells.at_high - cells.at_low, phases.offsets[cells.which] + cells.at_low.sum(axis=0)
+        up, end = np.maximum(change, 0).sum(axis=0), start + change.sum(axis=0)
+        least, most = end - up - rounding, start + up + rounding
+        keep = np.floor(least / np.pi) != np.floor(most / np.pi)
+        if not keep.any():
             break
-        slowest, fastest = phase.slope_bounds(low, high)
-        turns = [np.floor((phase.offset + phase.terms(end).sum(axis=0)) / np.pi) for end in (low, high)]
-        one_way = (slowest > 0) | (fastest < 0)
-        settled = one_way & (np.abs(turns[1] - turns[0]) <= 1)
+        cells, turns = cells.at(keep), np.floor(np.stack([start, end])[:, keep] / np.pi)
+        slowest, fastest = phases.at(cells.which).slope_bounds(cells.low, cells.high)
+        settled = ((slowest > 0) | (fastest < 0)) & (np.abs(turns[1] - turns[0]) <= 1)
         passed = settled & (turns[0] != turns[1])
-        brackets.append((low[passed], high[passed], np.pi * np.maximum(*turns)[passed], slowest[passed] > 0))
-        low, high = low[~settled], high[~settled]
-        middle = (low + high) / 2
-        low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
-    if not brackets:
-        return np.zeros(0)
-    found = _bracketed(phase, *(np.concatenate(part) for part in zip(*brackets, strict=True)))
-    smallest = np.hypot(phase.real, phase.imag).min()
-    return np.unique(found[found > 1e-12 * smallest])
+        found.append((*cells.at(passed), np.pi * turns.max(axis=0)[passed]))
+        if settled.all():
+            break
+        cells = cells.at(~settled).halves(phases)
+    if not found:
+        return [np.zeros(0) for _ in tops]
+    *brackets, target = (np.concatenate(part, axis=-1) for part in zip(*found, strict=True))
+    omega, which = _bracketed(phases, _Intervals(*brackets), target), brackets[2]
+    smallest = np.hypot(phases.real, phases.imag).min(axis=0)
+    return [np.unique(omega[(which == i) & (omega > 1e-12 * size)]) for i, size in enumerate(smallest)]
 
 
-def _possible(phase: Phase, low: NDArray, high: NDArray) -> tuple[NDArray, NDArray]:
-    """Return the intervals in which the phase may be a multiple of pi."""
-    start, end = phase.terms(low), phase.terms(high)
-    change, at = end - start, phase.offset + start.sum(axis=0)
-    rounding = 8 * phase.real.size * EPS * np.pi
-    least = at + np.minimum(change, 0).sum(axis=0) - rounding
-    most = at + np.maximum(change, 0).sum(axis=0) + rounding
-    keep = np.floor(least / np.pi) != np.floor(most / np.pi)
-    return low[keep], high[keep]
+def _first_intervals(phases: Phases, tops: NDArray) -> _Intervals:
+    """Return the intervals between 0, points around each place, and the top of each phase."""
+    parts = []
+    for i, (real, imag, top) in enumerate(zip(phases.real.T, phases.imag.T, tops, strict=True)):
+        grid = (imag[:, None] + np.abs(real[:, None]) * SPREAD).ravel()
+        grid = np.unique(np.concatenate([[0.0, top], grid[(grid > 0) & (grid < top)]]))
+        number = np.full(grid.size, i)
+        terms = phases.at(number).terms(grid)
+        parts.append((grid[:-1], grid[1:], number[1:], terms[:, :-1], terms[:, 1:]))
+    return _Intervals(*(np.concatenate(part, axis=-1) for part in zip(*parts, strict=True)))
 
 
-def _bracketed(phase: Phase, low: NDArray, high: NDArray, target: NDArray, rising: NDArray) -> NDArray:
-    """Return where the phase is a multiple of pi, by Newton's steps, or by halves where these lead out.
+def _bracketed(phases: Phases, cells: _Intervals, target: NDArray) -> NDArray:
+    """Return where a phase is a multiple of pi, by Newton's steps, or by halves where these lead out.
 
     Parameters
     ----------
-    phase : Phase
-    low, high : ndarray, shape (M,)
-        Ends of intervals in which the phase only rises or only falls.
+    phases : Phases
+    cells : _Intervals
+        M intervals in which the phase only rises or only falls.
     target : ndarray, shape (M,)
         The multiple of pi that is passed in each.
-    rising : ndarray of bool, shape (M,)
 
     Returns
     -------
     ndarray, shape (M,)
     """
-    omega, rounding = (low + high) / 2, 8 * phase.real.size * EPS * np.pi
+    low, high, which, *ends = cells
+    own = phases.at(which)
+    before, after = (own.offsets + end.sum(axis=0) - target for end in ends)
+    rising, rounding = after > before, 8 * phases.weights.size * EPS * np.pi
+    nearest, omega = np.abs(own.real).min(axis=0), low - (high - low) * before / (after - before)
     for _ in range(80):
-        value = phase.offset + phase.terms(omega).sum(axis=0) - target
+        value = own.offsets + own.terms(omega).sum(axis=0) - target
         beyond = (value > 0) == rising
         low, high = np.where(beyond, low, omega), np.where(beyond, omega, high)
-        step = omega - value / phase.slope(omega)
+        step = omega - value / own.slope(omega)
         settled = np.abs(value) <= rounding  # the last step: another would follow rounding alone
-        other = np.where(settled, omega, (low + high) / 2)
-        after = np.where((step >= low) & (step <= high), step, other)
-        done = settled | (np.abs(after - omega) <= 2 * EPS * np.abs(omega))
+        inside = (step >= low) & (step <= high)
+        after = np.where(inside, step, np.where(settled, omega, (low + high) / 2))
+        change = np.abs(after - omega)
+        # Newton's next step is some square of this one over the distance to the nearest place.
+        done = settled | (change <= 2 * EPS * omega) | (inside & (change**2 <= EPS * omega * nearest))
         omega = after
         if done.all():
             break

@@ -8,11 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
-from rlswaim.rootlocus.aberth import real_and_conjugate
+from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
 from rlswaim.rootlocus.exact_polynomials import Exact, exact, refined_roots
 from rlswaim.rootlocus.polynomials import horner, roots
 
-EPS = float(np.finfo(float).eps)
 NEAR = 0.03
 """Repeated roots spread at most so far, relative to their size, when their coefficients are rounded."""
 ILL = 3e3

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eig, matrix_balance
 
-from rlswaim.rootlocus.aberth import real_and_conjugate
+from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
 from rlswaim.rootlocus.exact_polynomials import exact_transfer, plus, times
 from rlswaim.rootlocus.polynomials import trimmed
-from rlswaim.rootlocus.repeated_roots import EPS, Points, grouped, refined
+from rlswaim.rootlocus.repeated_roots import Points, grouped, refined
 
 EXACT = 32
 """Up to this order eigenvalues are refined on the characteristic polynomial, computed without rounding."""
