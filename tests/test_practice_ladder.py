@@ -6,15 +6,16 @@ import numpy as np
 import pytest
 
 import rlswaim as rl
-from rlswaim.practice import ladder
+from rlswaim.practice import ladder, rungs
 from rlswaim.practice.ladder import Rung
 from rlswaim.practice.margins import frequency_response
+from rlswaim.source.tables import constants
 
 EQS = rl.printed_equations()
 OMEGA = np.geomspace(0.01, 20, 60)
 ATTITUDE = {"K_A": 3.0, "K_C": 10.0, "K_R": 0.6}
 DUAL = {"K_A": 4.4545, "K_C": 8.4816, "K_R": 0.86417, "kK_z": -389252.5, "K_r": 94.027, "b": 2.62154}
-RUNGS = ladder.rungs(32.2, 0.9)
+STEPS = rungs.ladder_steps()
 PLACES = {"sensor": 56.9915, "jet": 270.588}
 
 
@@ -44,10 +45,10 @@ def test_first_rung_is_section_vii():
     near(loop.closed, rl.dual_actuation(EQS, **DUAL, **PLACES), ("theta", "q2", "delta", "delta_r"))
 
 
-@pytest.mark.parametrize("rung", RUNGS.values(), ids=list(RUNGS))
-def test_open_loop_belongs_to_the_closed_one(rung):
+@pytest.mark.parametrize("step", STEPS.values(), ids=list(STEPS))
+def test_open_loop_belongs_to_the_closed_one(step):
     """1 + L is zero at each root of the whole that the gyro sees."""
-    loop = ladder.dual_actuation_on(EQS, rung, **DUAL, **PLACES)
+    loop = ladder.dual_actuation_on(*step, **DUAL, **PLACES)
     closed = loop.closed.poles()
     returned = 1 / (1 + frequency_response(loop.open, OMEGA)[:, 0, 0])
     by_roots = np.array(
@@ -66,22 +67,39 @@ def test_part_that_is_fast_is_as_good_as_none(name):
     near(loop.closed, rl.rate_attitude(EQS, **ATTITUDE, gyro=gyro), rtol=2e-3)
 
 
-def test_gravity_is_eq_1s_term():
-    """U (alpha' - theta') has -g sin(gamma_0) theta beside the forces: the determinant by hand."""
-    g = 20.0
-    poles = ladder.vehicle_on(EQS, Rung(gravity=g)).poles()
-    matrix = EQS.matrix.copy()
-    matrix[0, 1, 0] += g
-    for pole in poles[np.abs(poles) > 1e-6]:
-        at = matrix @ (pole ** np.arange(3))
-        assert np.abs(np.linalg.svd(at / np.abs(at).max(axis=1, keepdims=True))[1][-1]) < 1e-8
+@pytest.mark.parametrize("gravity", [False, True])
+def test_first_rungs_are_sections_v_and_vi(gravity):
+    eqs = rl.printed_equations(gravity=gravity)
+    gains = {"K_A": 3.0, "K_C": 10.0, "K_R": 0.6}
+    one = ladder.inner_loops_on(eqs, Rung(), **gains, sensors={140.0: 0.05})
+    two = ladder.inner_loops_on(eqs, Rung(), **gains, sensors={300.0: 0.04, 140.0: -0.03})
+    V = rl.single_sensor(eqs, **gains, K_z=0.05, sensor=140)
+    VI = rl.two_sensor(eqs, **gains, K_za=0.04, K_zb=-0.03, sensor_a=300, sensor_b=140)
+    for ours, theirs in ((one, V), (two, VI)):
+        assert np.allclose(np.sort_complex(ours.closed.poles()), np.sort_complex(theirs.poles()), atol=1e-6)
+
+
+def test_high_pass_reads_the_whole_displacement():
+    """Against transfer functions: K s (s + b)/(s^2 + 2 zeta w s + w^2) times z + (l - l_CG) theta - phi q."""
+    rung, b, K, at = Rung(high_pass=0.3), 2.5, 7.0, 57.0
+    blocks = ladder._displacement(EQS, rung, K, b, at, "z")
+    vehicle = EQS.state_space()
+    zeta = constants("ladder")["filter_zeta"]
+    for s in (0.2j, 1.1j, 4j):
+        x = dict(zip(vehicle.output_labels, vehicle(s)[:, 0], strict=True))
+        whole = EQS.U * (x["alpha"] - x["theta"]) / s + (at - EQS.l_CG) * x["theta"]
+        whole -= sum(m.deflection(at) * x[f"q{i}"] for i, m in enumerate(EQS.modes, start=1))
+        wanted = K * s**2 * (s + b) / (s**2 + 2 * zeta * 0.3 * s + 0.09) * whole
+        read = blocks[0].D @ [x[name] for name in blocks[0].input_labels]
+        assert blocks[1](s) * read[0] == pytest.approx(wanted, rel=1e-9)
 
 
 def test_path_and_speed_are_newtons_law():
     """The equations of a mass point in its own axes, in full, differ by the forces of the air alone."""
     g, gamma, U = 32.2, 0.9, EQS.U
-    rung = Rung(gravity=g * np.sin(gamma), level=g * np.cos(gamma), drag=0.004)
-    vehicle = ladder.vehicle_on(EQS, rung)
+    rung = Rung(level=g * np.cos(gamma), drag=0.004)
+    eqs = replace(EQS, gravity=g * np.sin(gamma))
+    vehicle = ladder.vehicle_on(eqs, rung)
     added = vehicle.A.copy()
     added[:7, :7] -= EQS.state_space().A
     steady_rate = -g * np.cos(gamma) / U
@@ -111,26 +129,32 @@ def test_pade_is_the_delay_where_the_loop_works():
     assert np.allclose(ratio, np.exp(-0.02j * OMEGA), atol=1e-6)
 
 
-def test_high_pass_lets_the_rigid_motion_through():
-    """A sensor of the whole displacement reads z + (l - l_CG) theta - phi q."""
-    vehicle = ladder.vehicle_on(EQS, Rung(high_pass=0.3))
-    s = 0.5j
-    outputs = dict(zip(vehicle.output_labels, vehicle(s)[:, 0], strict=True))
-    assert s * outputs["z"] == pytest.approx(EQS.U * (outputs["alpha"] - outputs["theta"]))
-    ideal, true = (
-        ladder.dual_actuation_on(EQS, Rung(high_pass=corner), **DUAL, **PLACES).closed.poles().real.max()
-        for corner in (0.0, 0.3)
-    )
-    assert ideal < 1e-7
-    assert true > 1.0  # this design stands on the ideal filter
-
-
-def test_rungs_hold_every_part_once():
-    assert RUNGS["as printed"] == Rung()
+def test_steps_hold_every_part():
+    assert STEPS["as printed"].rung == Rung()
     for field in fields(Rung):
-        changed = [name for name, rung in RUNGS.items() if getattr(rung, field.name)]
-        assert len(changed) == (3 if field.name == "gravity" else 2)
-        assert changed[-1] == "all of them"
+        changed = [name for name, step in STEPS.items() if getattr(step.rung, field.name)]
+        assert changed, field.name
+        assert ("all of the loop, gravity" in changed) == (field.name not in ("level", "drag"))
+    weights = {name for name, step in STEPS.items() if step.eqs.gravity}
+    assert weights == {name for name in STEPS if name.startswith(("gravity", "path", "all"))}
+
+
+def test_third_mode_is_orthogonal_and_oscillates_once_more():
+    booster = rl.swaim_booster()
+    mode = rungs.third_mode(booster)
+    x, m = booster.stations, booster.masses
+    phi = mode.deflection(x)
+    others = [np.ones_like(x), x, *(one.deflection(x) for one in booster.modes)]
+    for other in others:
+        cosine = (m * phi) @ other / np.sqrt((m * phi) @ phi * ((m * other) @ other))
+        assert abs(cosine) < 1e-9
+    assert mode.mass == pytest.approx((m * phi) @ phi)
+    assert mode.deflection(booster.thrust_station) == pytest.approx(1.0)
+    assert len(mode.shape.roots(extrapolate=False)) == 4
+    assert np.cosh(rungs.BETA_3) * np.cos(rungs.BETA_3) == pytest.approx(1.0, abs=0.01)
+    assert mode.omega == pytest.approx(1.96 * booster.modes[1].omega)
+    uniform = (rungs.BETA_3 / 7.8532046) ** 2
+    assert uniform == pytest.approx(constants("ladder")["mode_3_ratio"], abs=0.005)
 
 
 def test_refused():

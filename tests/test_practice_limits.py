@@ -48,10 +48,33 @@ def test_zeros_and_bound_are_those_of_cramers_rule(gyro):
 
 
 def test_map_over_the_stations():
-    stations = np.array([60.0, 135.0, 420.0])
-    found = m.gyro_bounds(EQS, stations)
+    found = [one.peak for one in m.gyro_limits(EQS, [60.0, 135.0, 420.0])]
     assert found == pytest.approx([22.2667, 1697.09, 3.17049], rel=1e-5)
-    assert m.sensor_bounds(EQS, [140.0]) == pytest.approx([83.16], abs=0.01)
+    assert [one.stable_controller for one in m.gyro_limits(EQS, [133.0, 134.0])] == [True, False]
+    (sensor,) = m.sensor_limits(EQS, [140.0])
+    assert sensor.peak == pytest.approx(83.16, abs=0.01)
+
+
+@pytest.mark.parametrize("gyros", [{60.0: 0.5, 420.0: 0.5}, {360.0: 1.4, 60.0: -0.4}], ids=str)
+@pytest.mark.parametrize("gravity", [False, True])
+def test_blends_are_those_of_cramers_rule(gyros, gravity):
+    """Of two poles the least peak of T with T(p) = 1 and T(z) = 0 [Nevanlinna, Pick], from the numerators."""
+    eqs = rl.printed_equations(gravity=gravity)
+    total = eqs.numerator("theta", "delta").copy()
+    for i, mode in enumerate(eqs.modes, start=1):
+        slope = sum(weight * mode.slope(at) for at, weight in gyros.items())
+        total -= slope * eqs.numerator(f"q{i}", "delta")
+    roots = [
+        np.polynomial.polynomial.polyroots(np.trim_zeros(p, "b"))
+        for p in (total, eqs.characteristic_polynomial())
+    ]
+    zeros, poles = (r[r.real > limits.AXIS] for r in roots)
+    p = poles.real
+    w = np.array([np.prod((one + zeros.conj()) / (one - zeros)).real for one in p])
+    gram = 1 / np.add.outer(p, p)
+    largest = np.linalg.eigvals(np.linalg.solve(gram, np.outer(w, w) * gram)).real.max()
+    found = limits.limits(m.blended(eqs, gyros))
+    assert found.peak == pytest.approx(np.sqrt(largest), rel=1e-4)
 
 
 POSITIVE = st.floats(0.1, 10.0)

@@ -7,6 +7,7 @@ from rlswaim.practice.greensite import greensite
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus, root_locus
 from rlswaim.vehicle.booster import Booster, FlightCondition, Surface, swaim_booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_equations
+from rlswaim.vehicle.own_vehicle import read_booster
 
 __all__ = [
     "Booster",
@@ -21,6 +22,7 @@ __all__ = [
     "perturbation_equations",
     "printed_equations",
     "rate_attitude",
+    "read_booster",
     "root_locus",
     "searches",
     "single_sensor",

@@ -10,6 +10,8 @@ from rlswaim.explorers.control_systems import (
     two_sensor_explorer,
 )
 from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
+from rlswaim.explorers.greensite import greensite_explorer
+from rlswaim.explorers.peak_bound import peak_bound_explorer
 from rlswaim.explorers.presets import COMPARED, designs
 from rlswaim.explorers.station_map import station_map_explorer
 from rlswaim.explorers.workbench import Explorer
@@ -26,7 +28,9 @@ __all__ = [
     "coupled_vehicle_explorer",
     "designs",
     "dual_actuation_explorer",
+    "greensite_explorer",
     "multiaffine_forms",
+    "peak_bound_explorer",
     "rate_attitude_explorer",
     "single_sensor_explorer",
     "station_map_explorer",

@@ -63,7 +63,7 @@ def draw_elastic_axis(
 
 
 def draw_mode_shapes(ax: Axes, booster: Booster, slopes: bool = False) -> Axes:
-    """Draw the deflections phi of both modes, or their slopes sigma, with the printed points [Figure 5].
+    """Draw the deflections phi of up to three modes, or their slopes sigma, with their points [Figure 5].
 
     Parameters
     ----------
@@ -78,12 +78,12 @@ def draw_mode_shapes(ax: Axes, booster: Booster, slopes: bool = False) -> Axes:
     """
     x = np.linspace(0, LENGTH, 421)
     for number, (mode, marker, style) in enumerate(
-        zip(booster.modes, "os", ("-", "--"), strict=True), start=1
+        zip(booster.modes, "os^", ("-", "--", "-."), strict=False), start=1
     ):
         symbol = rf"$\sigma_{number}$" if slopes else rf"$\phi_{number}$"
         at, points = (mode.slope_stations, mode.slopes) if slopes else (mode.stations, mode.deflections)
         curve = mode.slope(x) if slopes else mode.deflection(x)
-        color = COLORS[f"mode {number}"]
+        color = COLORS.get(f"mode {number}", COLORS["actuator"])
         ax.plot(x, curve, style, color=color, label=f"{symbol}, least bending")
         ax.plot(at, points, marker, color=color, markeredgecolor="black", label=f"{symbol}, printed")
     ax.axhline(0, color=COLORS["neutral"], linewidth=0.8)

@@ -34,6 +34,7 @@ from rlswaim.source.tables import constants
 
 RIGID = ("z", "zdot", "theta", "thetadot")
 MODE = ("eta", "etadot")
+GAINS = ("K_p", "K_d", "K_z", "K_zdot", "loop_gain")
 
 
 def vehicle(
@@ -89,13 +90,15 @@ def vehicle(
     )
 
 
-def _feedback(states: list[str], K_p: float, K_d: float, K_z: float, K_zdot: float) -> NDArray:
+def _feedback(
+    states: list[str], K_p: float, K_d: float, K_z: float, K_zdot: float, loop_gain: float
+) -> NDArray:
     """Return the row that makes the signal of the autopilot from the vehicle's states."""
     c = constants("greensite")
     row = {"z": K_z, "zdot": K_zdot, "theta": K_p, "thetadot": K_d}
     row["eta"] = c["sigma_ins"] * K_p - c["phi_ins"] * K_z
     row["etadot"] = c["sigma_ins"] * K_d - c["phi_ins"] * K_zdot
-    return np.array([[row[state] for state in states]])
+    return loop_gain * np.array([[row[state] for state in states]])
 
 
 def _engine(actuator: bool, notch: bool) -> list[control.StateSpace]:
@@ -115,7 +118,7 @@ def _engine(actuator: bool, notch: bool) -> list[control.StateSpace]:
 def _parts(**given: Any) -> tuple[control.StateSpace, control.StateSpace, control.StateSpace]:
     """Return vehicle, W and the autopilot's row, joined by the names delta, command and signal."""
     plant = vehicle(*(given[name] for name in ("mu_alpha", "mu_c", "omega", "bending")))
-    gains = [checks.real(name, given[name], "greensite") for name in ("K_p", "K_d", "K_z", "K_zdot")]
+    gains = [checks.real(name, given[name], "greensite") for name in GAINS]
     for name in ("notch", "actuator"):
         checks.instance(name, given[name], bool, "greensite")
     engine = control.series(*_engine(given["actuator"], given["notch"]))
@@ -140,6 +143,7 @@ def greensite(
     omega: float = 1.0,
     bending: bool = True,
     actuator: bool = True,
+    loop_gain: float = 1.0,
 ) -> control.StateSpace:
     """Return the open loop L(s) of Greensite's launch vehicle at t = 72 s, for negative feedback, in SI.
 
@@ -165,6 +169,8 @@ def greensite(
         Whether the bending mode is there; without it the vehicle is rigid.
     actuator : bool
         Whether actuator and delay are there; the printed rigid case has neither.
+    loop_gain : float
+        Factor of all four gains (1).
 
     Returns
     -------

@@ -4,6 +4,7 @@ Rungs of the vehicle (orthogonal modes, more modes, other data) are other `Pertu
 of the loop are the fields of `Rung`.  `Rung()` is the report's own loop.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import NamedTuple
 
@@ -28,8 +29,6 @@ class Rung:
         If it is no real number.
     """
 
-    gravity: float = 0.0
-    """g sin gamma_0 across the path (ft/s^2) [Eq. 1], on top of what the equations have themselves."""
     level: float = 0.0
     """g cos gamma_0 (ft/s^2): the path curves by -level/U, and the speed u becomes a state."""
     drag: float = 0.0
@@ -58,48 +57,20 @@ class Loop(NamedTuple):
     open: control.StateSpace
 
 
-def rungs(g: float, gamma_0: float) -> dict[str, Rung]:
-    """Return the ladder by name: each part alone, and all of them.
-
-    Parameters
-    ----------
-    g : float
-        Acceleration of gravity (ft/s^2).
-    gamma_0 : float
-        Flight path angle above the horizon (rad).
-
-    Returns
-    -------
-    dict of str to Rung
-        With the numbers of ``data/ladder.csv``; the drag is the middle of its range.
-    """
-    c = constants("ladder")
-    gravity = {"gravity": g * np.sin(gamma_0)}
-    parts = {
-        "gravity": gravity,
-        "path and speed": gravity | {"level": g * np.cos(gamma_0), "drag": c["drag"] / 2},
-        "second-order actuator": {"actuator": c["actuator_omega"]},
-        "gyro dynamics": {"gyro": c["gyro_omega"]},
-        "delay": {"delay": c["delay"]},
-        "realizable filters": {"low_pass": c["low_pass"], "high_pass": c["high_pass"]},
-    }
-    together = {name: value for part in parts.values() for name, value in part.items()}
-    chosen = {"as printed": Rung()} | {name: Rung(**part) for name, part in parts.items()}
-    return chosen | {"all of them": Rung(**together)}
-
-
 def vehicle_on(eqs: PerturbationEquations, rung: Rung, jet: float = JET_STATION) -> control.StateSpace:
     """Return the vehicle on a rung.
 
     From Newton's law in the vehicle's axes, with the steady pitch rate -level/U of the curved path::
 
-        U alpha' = ... - gravity theta - level/U u        u' = level (alpha - theta) - drag u
+        U alpha' = ... - level/U u        u' = level (alpha - theta) - drag u
+
+    Gravity across the path is a term of the equations themselves (``gravity=True``).
 
     Parameters
     ----------
     eqs : PerturbationEquations
     rung : Rung
-        Its gravity, level and drag count here, and whether it has a high-pass.
+        Its level and drag count here.
     jet : float
         Station of the jet (ft).
 
@@ -107,34 +78,26 @@ def vehicle_on(eqs: PerturbationEquations, rung: Rung, jet: float = JET_STATION)
     -------
     control.StateSpace
         Inputs delta, delta_r, alpha_g; the outputs are the states of `PerturbationEquations.state_space`,
-        with ``level`` the change of speed u (ft/s), and where a high-pass needs it the displacement z (ft,
-        down), z' = U (alpha - theta).  No loop of the report holds z, which leaves a root at 0.
+        with ``level`` the change of speed u (ft/s).
     """
     vehicle = eqs.state_space(jet)
-    more = [name for name, there in (("u", rung.level), ("z", rung.high_pass)) if there]
-    names = [*vehicle.output_labels, *more]
-    n = vehicle.nstates
-    alpha, theta = names.index("alpha"), names.index("theta")
-    A = np.zeros((len(names), len(names)))
-    A[:n, :n] = vehicle.A
-    A[alpha, theta] -= rung.gravity / eqs.U
-    if rung.level:
-        u = names.index("u")
-        A[alpha, u] = -rung.level / eqs.U**2
-        A[u, [alpha, theta, u]] = rung.level, -rung.level, -rung.drag
-    if rung.high_pass:
-        A[names.index("z"), [alpha, theta]] = eqs.U, -eqs.U
-    B = np.vstack([vehicle.B, np.zeros((len(more), vehicle.ninputs))])
+    if not rung.level:
+        return vehicle
+    names = [*vehicle.output_labels, "u"]
+    alpha, theta, u = (names.index(name) for name in ("alpha", "theta", "u"))
+    A = np.pad(vehicle.A, ((0, 1), (0, 1)))
+    A[alpha, u] = -rung.level / eqs.U**2
+    A[u, [alpha, theta, u]] = rung.level, -rung.level, -rung.drag
+    B = np.pad(vehicle.B, ((0, 1), (0, 0)))
     C, D = np.eye(len(names)), np.zeros_like(B)
     return control.ss(A, B, C, D, name="vehicle", inputs=vehicle.input_labels, outputs=names)
 
 
-def _filter(omega: float, low: bool, **names: str) -> control.StateSpace:
-    """Return a second-order low-pass or high-pass with a corner, or a wire if the corner is 0."""
+def _low_pass(omega: float) -> control.StateSpace:
+    """Return a second-order low-pass with a corner (rad/s), or a wire if the corner is 0."""
     if not omega:
-        return gain(1.0, **names)
-    poles = [1.0, 2 * constants("ladder")["filter_zeta"] * omega, omega**2]
-    return second_order([omega**2] if low else [1.0, 0.0, 0.0], poles, **names)
+        return gain(1.0)
+    return second_order([omega**2], [1.0, 2 * constants("ladder")["filter_zeta"] * omega, omega**2])
 
 
 def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | None) -> list:
@@ -148,7 +111,7 @@ def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | N
     own = gain(1.0)
     if rung.gyro:
         own = second_order([rung.gyro**2], [1.0, 2 * zeta * rung.gyro, rung.gyro**2])
-    chain = control.series(own, _filter(rung.low_pass, True))
+    chain = control.series(own, _low_pass(rung.low_pass))
     return [
         gain([list(row.values())], name="gyro", inputs=list(row), outputs="theta_i"),
         control.ss(chain, name="gyro's filters", inputs="theta_i", outputs="theta_F"),
@@ -167,40 +130,57 @@ def _engine(rung: Rung, K_A: float, K_C: float) -> control.StateSpace:
     return control.ss(control.series(gain(1.0), *chain), name="engine", inputs="command", outputs="delta")
 
 
-def _jet_loop(
-    eqs: PerturbationEquations, rung: Rung, kK_z: float, K_r: float, b: float, sensor: float
+def _displacement(
+    eqs: PerturbationEquations, rung: Rung, K_z: float, b: float, sensor: float, output: str
 ) -> list:
-    """Return the blocks from the vehicle's states to the jet's force delta_r [Eq. 120].
+    """Return the blocks from the vehicle's states to K_z (s + b) times the displacement (ft, down).
 
-    The elastic displacement counts -phi_i q_i, and the whole one z + (l - l_CG) theta beside it; with
-    the ideal filter of the report the elastic part alone is read.
+    The report's ideal filter leaves the elastic part alone, -phi_i q_i [Eq. 99].  Without it the sensor
+    reads the whole rate z' + (l - l_CG) theta' - phi_i q_i', z' = U (alpha - theta), and the high-pass
+    s^2/(s^2 + ...) turns the displacement into s (s + b)/(s^2 + ...) times this rate.
     """
     row: dict[str, float] = {}
+    chain = gain(1.0)
     if rung.high_pass:
-        arm = sensor - eqs.l_CG
-        row = {"z": b, "alpha": eqs.U, "theta": b * arm - eqs.U, "thetadot": arm}
+        row = {"alpha": eqs.U, "theta": -eqs.U, "thetadot": sensor - eqs.l_CG}
+        omega = rung.high_pass
+        chain = second_order([1.0, b, 0.0], [1.0, 2 * constants("ladder")["filter_zeta"] * omega, omega**2])
     for i, mode in enumerate(eqs.modes, start=1):
-        row |= {f"q{i}": -b * mode.deflection(sensor), f"q{i}dot": -mode.deflection(sensor)}
-    valve = first_order([K_r], [1.0, K_r])
-    late = delay(rung.delay, int(constants("ladder")["pade_order"])) if rung.delay else gain(1.0)
-    chain = control.series(_filter(rung.high_pass, False), valve, late)
+        row[f"q{i}dot"] = -mode.deflection(sensor)
+        if not rung.high_pass:
+            row[f"q{i}"] = -b * mode.deflection(sensor)
+    read, names = [[K_z * value for value in row.values()]], list(row)
     return [
-        gain([[-kK_z * value for value in row.values()]], name="sensor", inputs=list(row), outputs="z_e"),
-        control.ss(chain, name="jet", inputs="z_e", outputs="delta_r"),
+        gain(read, name=f"sensor {output}", inputs=names, outputs=f"{output}_e"),
+        control.ss(chain, name=f"filter {output}", inputs=f"{output}_e", outputs=output),
     ]
 
 
-def _joined(name: str, vehicle: control.StateSpace, engine: control.StateSpace, rest: list) -> Loop:
+def _jet_loop(
+    eqs: PerturbationEquations, rung: Rung, kK_z: float, K_r: float, b: float, sensor: float
+) -> list:
+    """Return the blocks from the vehicle's states to the jet's force delta_r [Eq. 120]."""
+    late = delay(rung.delay, int(constants("ladder")["pade_order"])) if rung.delay else gain(1.0)
+    chain = control.series(first_order([K_r], [1.0, K_r]), late)
+    return [
+        *_displacement(eqs, rung, -kK_z, b, sensor, "z"),
+        control.ss(chain, name="jet", inputs="z", outputs="delta_r"),
+    ]
+
+
+def _joined(
+    name: str, vehicle: control.StateSpace, engine: control.StateSpace, rest: list, fed: str = "theta_F"
+) -> Loop:
     """Return a system joined by the names of its signals, closed and opened at the engine's command."""
     jet = ["delta_r"] if any("delta_r" in block.output_labels for block in rest) else []
-    error = control.summing_junction(["theta_c", "-theta_F"], "command")
+    error = control.summing_junction(["theta_c", f"-{fed}"], "command")
     outputs = [*vehicle.output_labels, "delta", *jet]
     settings = {"name": name, "warn_duplicate": False, "check_unused": False}
     return Loop(
         control.interconnect(
             [vehicle, engine, *rest, error], inputs=["theta_c", "alpha_g"], outputs=outputs, **settings
         ),
-        control.interconnect([vehicle, engine, *rest], inputs=["command"], outputs=["theta_F"], **settings),
+        control.interconnect([vehicle, engine, *rest], inputs=["command"], outputs=[fed], **settings),
     )
 
 
@@ -226,6 +206,43 @@ def rate_attitude_on(
     return _joined(
         "rate_attitude", vehicle_on(eqs, rung), _engine(rung, K_A, K_C), _gyro(eqs, rung, K_R, gyro)
     )
+
+
+def inner_loops_on(
+    eqs: PerturbationEquations,
+    rung: Rung,
+    *,
+    K_A: float,
+    K_C: float,
+    K_R: float,
+    sensors: Mapping[float, float],
+) -> Loop:
+    """Return the control system of Section V or VI on a rung: linear sensors in inner loops to the engine.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    rung : Rung
+    K_A, K_C, K_R : float
+        As in `rlswaim.single_sensor`.
+    sensors : mapping of float to float
+        Gain of each linear sensor (rad s/ft) by its station (ft).
+
+    Returns
+    -------
+    Loop
+        All its loops are opened at the one engine; theta_c is a command to the engine, K_A times the
+        report's.
+    """
+    names = [f"z{i}" for i in range(len(sensors))]
+    blocks = [
+        block
+        for name, (at, K_z) in zip(names, sensors.items(), strict=True)
+        for block in _displacement(eqs, rung, K_z, 1.0, at, name)
+    ]
+    total = gain([[K_A, *np.ones(len(names))]], name="sum", inputs=["theta_F", *names], outputs="fed")
+    rest = [*_gyro(eqs, rung, K_R, None), *blocks, total]
+    return _joined("inner_loops", vehicle_on(eqs, rung), _engine(rung, 1.0, K_C), rest, "fed")
 
 
 def dual_actuation_on(

@@ -1,10 +1,12 @@
 """What the report's loops measure and drive, as plants, and the limits of gyros and sensors by station."""
 
+from collections.abc import Mapping
+
 import control
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from rlswaim.practice.limits import limits
+from rlswaim.practice.limits import Limits, limits
 from rlswaim.vehicle.equations import PerturbationEquations
 
 
@@ -21,10 +23,42 @@ def attitude(eqs: PerturbationEquations, gyro: float | None) -> control.StateSpa
     -------
     control.StateSpace
     """
+    return blended(eqs, {} if gyro is None else {gyro: 1.0})
+
+
+def angle(eqs: PerturbationEquations, gyros: Mapping[float, float]) -> dict[str, float]:
+    """Return the row of a weighted sum of what several gyros read [Eq. 57].
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gyros : mapping of float to float
+        The weight of each gyro by its station (ft), of sum 1; without any, the rigid body's angle alone.
+
+    Returns
+    -------
+    dict of str to float
+    """
     row = {"theta": 1.0}
-    if gyro is not None:
-        row |= {f"q{i}": -mode.slope(gyro) for i, mode in enumerate(eqs.modes, start=1)}
-    return measured(eqs, [row], ["delta"])
+    for i, mode in enumerate(eqs.modes, start=1):
+        row[f"q{i}"] = -sum(weight * mode.slope(at) for at, weight in gyros.items())
+    return row
+
+
+def blended(eqs: PerturbationEquations, gyros: Mapping[float, float]) -> control.StateSpace:
+    """Return the plant from delta to a weighted sum of what several gyros read.
+
+    Parameters
+    ----------
+    eqs : PerturbationEquations
+    gyros : mapping of float to float
+        As in `angle`.
+
+    Returns
+    -------
+    control.StateSpace
+    """
+    return measured(eqs, [angle(eqs, gyros)], ["delta"])
 
 
 def displacement(eqs: PerturbationEquations, sensor: float) -> dict[str, float]:
@@ -68,8 +102,8 @@ def measured(
     return control.ss(vehicle.A, B, C, np.zeros((len(rows), len(inputs))), inputs=inputs)
 
 
-def gyro_bounds(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
-    """Return the least peak of S with a gyro at each of several stations: a map of the bound.
+def gyro_limits(eqs: PerturbationEquations, stations: ArrayLike) -> list[Limits]:
+    """Return the limits with a gyro at each of several stations: a map of the bound.
 
     Parameters
     ----------
@@ -79,13 +113,13 @@ def gyro_bounds(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
 
     Returns
     -------
-    ndarray, shape (n,)
+    list of Limits
     """
-    return np.array([limits(attitude(eqs, float(station))).peak for station in np.asarray(stations)])
+    return [limits(attitude(eqs, float(station))) for station in np.asarray(stations)]
 
 
-def sensor_bounds(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
-    """Return the least peak of S with Section V's linear sensor alone at each of several stations.
+def sensor_limits(eqs: PerturbationEquations, stations: ArrayLike) -> list[Limits]:
+    """Return the limits with Section V's linear sensor alone at each of several stations.
 
     Parameters
     ----------
@@ -95,7 +129,7 @@ def sensor_bounds(eqs: PerturbationEquations, stations: ArrayLike) -> NDArray:
 
     Returns
     -------
-    ndarray, shape (n,)
+    list of Limits
     """
     rows = ([displacement(eqs, float(station))] for station in np.asarray(stations))
-    return np.array([limits(measured(eqs, row, ["delta"])).peak for row in rows])
+    return [limits(measured(eqs, row, ["delta"])) for row in rows]

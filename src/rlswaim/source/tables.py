@@ -1,8 +1,11 @@
 """The one place where files are read: the tables of ``source/data`` and the scripts of the live views."""
 
 import csv
+from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
+from os import PathLike
+from pathlib import Path
 
 Row = dict[str, str]
 
@@ -28,6 +31,41 @@ def read_table(name: str) -> tuple[Row, ...]:
     """
     path = files("rlswaim.source").joinpath("data", f"{name}.csv")
     return tuple(csv.DictReader(path.read_text(encoding="utf-8").splitlines()))
+
+
+def read_own_table(path: str | PathLike[str], columns: Sequence[str]) -> tuple[Row, ...]:
+    """Return the rows of a reader's own CSV file, every cell as text without spaces around it.
+
+    Parameters
+    ----------
+    path : path
+        Of the file, in UTF-8; its first line names the columns.
+    columns : sequence of str
+        The columns that it must have.
+
+    Returns
+    -------
+    tuple of dict
+
+    Raises
+    ------
+    ValueError
+        If a column is missing, or a line has more or fewer cells than there are columns.
+    FileNotFoundError
+        If there is no such file.
+    """
+    rows = csv.DictReader(Path(path).read_text(encoding="utf-8").splitlines())
+    wanted = ", ".join(columns)
+    if missing := [name for name in columns if name not in (rows.fieldnames or ())]:
+        raise ValueError(f"columns in {path}: got no {missing[0]!r}, wanted {wanted}")
+    found = []
+    for row in rows:
+        if None in row or None in row.values():
+            raise ValueError(
+                f"line {rows.line_num} in {path}: got other cells than {wanted}, wanted one of each"
+            )
+        found.append({name: cell.strip() for name, cell in row.items()})
+    return tuple(found)
 
 
 @cache

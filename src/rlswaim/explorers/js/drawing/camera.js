@@ -2,7 +2,7 @@
 import { ladder } from './ticks.js';
 import { frameOf, viewOf } from './view.js';
 
-/** @import { Camera, Frame, View } from '../types.d.ts' */
+/** @import { Camera, Frame, Roots, View } from '../types.d.ts' */
 
 const MARGIN = { left: 44, right: 10, top: 8, bottom: 36 };
 const WIDTHS = [1e-7, 1e5]; // narrowest and widest window (1/s)
@@ -83,3 +83,10 @@ export function insetOf(view, magnify) {
   const scale = view.scale * magnify;
   return windowAt(-(0.62 * w) / scale, (-0.1 * h) / scale, scale, frame, view.width, view.height);
 }
+
+/**
+ * The roots that a first window holds: of a system with a `reach`, those no farther from the origin.
+ * @param {{ reach?: number, [name: string]: any }} system @param {Roots} roots
+ */
+export const withinReach = ({ reach = Infinity }, { x, y }) =>
+  Array.from(x, (re, i) => [re, y[i]]).filter(([re, im]) => Math.hypot(re, im) <= reach);

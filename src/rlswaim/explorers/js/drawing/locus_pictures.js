@@ -41,9 +41,10 @@ export function drawLocus(g, view, theme, locus, extra) {
 /**
  * @param {Graphics} g @param {View} view @param {Theme} theme
  * @param {NamedRoots} present the poles where the station is
- * @param {Point[][]} sides traced from there to both ends of the vehicle
+ * @param {Point[][]} sides traced from there to both ends
+ * @param {string} unit of what runs
  */
-export function drawMap(g, view, theme, present, sides) {
+export function drawMap(g, view, theme, present, sides, unit) {
   const names = present.branches;
   /** @param {Point} p @param {(i: number, y: number) => Layer} layer */
   const upper = (p, layer) => Array.from(p.y, (y, i) => (y >= 0 ? layer(i, y) : () => {}));
@@ -59,7 +60,7 @@ export function drawMap(g, view, theme, present, sides) {
     ...hundreds.flatMap((p) => upper(p, (i, y) => dot(p.x[i], y, theme.color(names[i])))),
     ...ends.flatMap((end) =>
       upper(end, (i, y) =>
-        moved(end, i) > 14 ? label(`${end.t} ft`, end.x[i], y, 6, -8, theme.muted, 'left') : () => {},
+        moved(end, i) > 14 ? label(`${end.t} ${unit}`, end.x[i], y, 6, -8, theme.muted, 'left') : () => {},
       ),
     ),
     poles(present, names),

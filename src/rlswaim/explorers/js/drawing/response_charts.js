@@ -11,9 +11,11 @@ import { frameOf, viewOf } from './view.js';
 const ROW = 118;
 const MARGIN = { left: 50, right: 8, top: 18, bottom: 20 };
 /** @type {Record<string, string>} */
-const LETTER = { alpha: 'α', theta: 'θ', q1: 'q₁', q2: 'q₂', delta: 'δ', delta_r: 'δᵣ' };
+const LETTER = { eta: 'η', alpha: 'α', theta: 'θ', q1: 'q₁', q2: 'q₂', delta: 'δ', delta_r: 'δᵣ' };
 /** @type {Record<string, string>} */
 const BRANCH = {
+  z: 'drift',
+  eta: 'mode 1',
   alpha: 'attitude',
   theta: 'attitude',
   q1: 'mode 1',

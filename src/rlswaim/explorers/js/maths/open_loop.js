@@ -3,7 +3,7 @@ import { breakAways } from './break_aways.js';
 import { crossings } from './crossings.js';
 import { factored } from './factored_loop.js';
 import { lazy, once } from './kept_values.js';
-import { factorsOf, longest, weightOf } from './terms.js';
+import { along, factorsOf, longest, weightOf } from './terms.js';
 
 /** @typedef {import('./terms.js').System} System */
 /** @typedef {import('./terms.js').State} State */
@@ -102,16 +102,19 @@ function repeated(roots) {
   return { x: all.map(({ x }) => x), y: all.map(({ y }) => y) };
 }
 
+/** @param {{ re: number, im: number }} pole @param {number} factor */
+const scaled = ({ re, im }, factor) => ({ re: factor * re, im: factor * im });
+
 /**
  * The open-loop poles, each with the branch that leaves from it: the vehicle's from Python, the actuators'
- * are factors.
+ * are factors. A pole with a parameter `at` is in proportion to what `each` place of it says.
  * @param {System} system
  * @param {State} state
  * @returns {{ x: ArrayLike<number>, y: ArrayLike<number>, branches: string[] }}
  */
 export function namedPoles(system, state) {
   const poles = [
-    ...system.poles,
+    ...system.poles.map((p) => (p.at ? { ...p, ...scaled(p, along(p.each, state[p.at])) } : p)),
     ...system.actuators.map((a) => ({ re: -state[a.factor], im: 0, branch: a.branch })),
   ];
   return { x: poles.map((p) => p.re), y: poles.map((p) => p.im), branches: poles.map((p) => p.branch) };

@@ -3,11 +3,12 @@
 /** @typedef {{ factors: string[], coefficients: ArrayLike<number> }} Term constant term first */
 /** @typedef {Record<string, any>} State the value of each parameter by its name */
 /** @typedef {Record<string, number>} Factors */
+/** @typedef {{ re: number, im: number, branch: string, at?: string, each?: ArrayLike<number> }} OpenPole */
 /**
  * What Python sends of a control system (see payload in control_systems.py).
  * @typedef {{ terms: Term[], shapes: Record<string, { at: string, values: ArrayLike<number> }>,
  *   choice?: { name: string, zero: Record<string, string[]> }, closing: string[], maps: string[],
- *   parameters: { name: string }[], poles: { re: number, im: number, branch: string }[],
+ *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
  *   running: Record<string, any>, vehicle: Record<string, any> }} System
  */

@@ -81,15 +81,12 @@ export function pythonOf({ python }, values) {
   /** @param {string} name */
   const none = (name) =>
     Object.entries(python.none?.[name] ?? {}).some(([other, value]) => values[other] === value);
-  const given = Object.entries(python.arguments).map(
-    ([name, keyword]) => `${keyword}=${none(name) ? 'None' : JSON.stringify(values[name])}`,
-  );
-  return [
-    'import rlswaim as rl',
-    '',
-    `eqs = ${python.equations}`,
-    `loop = rl.${python.function}(eqs, ${given.join(', ')})`,
-    'loop.poles()',
-    '',
-  ].join('\n');
+  /** @param {string} name */
+  const value = (name) =>
+    none(name) ? 'None' : [JSON.stringify(values[name]), ...(python.over?.[name] ?? [])].join(' / ');
+  const given = Object.entries(python.arguments).map(([name, keyword]) => `${keyword}=${value(name)}`);
+  const made = python.equations
+    ? ['import rlswaim as rl', '', `eqs = ${python.equations}`, `loop = rl.${python.function}(eqs, `]
+    : [`from ${python.module} import ${python.function}`, '', `loop = ${python.function}(`];
+  return `${made.join('\n')}${given.join(', ')})\nloop.poles()\n`;
 }

@@ -6,6 +6,8 @@ const DEGREE = Math.PI / 180;
 /** @type {Record<string, string>} */
 const ANGLES = { alpha: 'α', theta: 'θ' };
 /** @type {Record<string, string>} */
+const WINDS = { alpha_g: 'α_g', alpha_w: 'α_w' };
+/** @type {Record<string, string>} */
 const FEET = { q1: 'q₁', q2: 'q₂' };
 export const DURATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 export const GUSTS = [0.2, 0.5, 1, 2, 5, 10];
@@ -14,8 +16,8 @@ export const GUSTS = [0.2, 0.5, 1, 2, 5, 10];
 function excitationOf(input) {
   const name = input.replace('(0)', '');
   if (input === 'theta_c') return { input, kind: 'step', amplitude: DEGREE, text: 'step of 1° in θ_c' };
-  if (input === 'alpha_g')
-    return { input, kind: 'gust', amplitude: DEGREE, text: '1 − cos gust of 1° in α_g' };
+  if (WINDS[input])
+    return { input, kind: 'gust', amplitude: DEGREE, text: `1 − cos gust of 1° in ${WINDS[input]}` };
   if (FEET[name]) return { input, kind: 'initial', amplitude: 1, text: `${FEET[name]} of 1 ft at the start` };
   return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
 }

@@ -2,11 +2,13 @@
 import { height, loads } from '../maths/bent_vehicle_forces.js';
 import { paths, poles } from '../maths/coupled_poles.js';
 import { flight } from '../maths/flights.js';
+import { bound } from '../maths/peak_bound.js';
 import { initialize } from '../page/sliders.js';
 import { render as ascent } from './ascent.js';
 import { render as bentVehicle } from './bent_vehicle.js';
 import { render as comparison } from './comparison.js';
 import { render as coupledVehicle } from './coupled_vehicle.js';
+import { render as peakBound } from './peak_bound.js';
 import { render as stationMap } from './station_map.js';
 import { render as workbench } from './workbench.js';
 
@@ -18,6 +20,7 @@ const VIEWS = {
   'bent-vehicle': bentVehicle,
   comparison,
   'coupled-vehicle': coupledVehicle,
+  'peak-bound': peakBound,
   'station-map': stationMap,
   workbench,
 };
@@ -25,4 +28,4 @@ const VIEWS = {
 /** Puts a view into its element; returns what takes it away. @param {Context} context */
 const render = (context) => VIEWS[context.model.get('payload').view](context);
 
-export { flight, height, initialize, loads, paths, poles, render };
+export { bound, flight, height, initialize, loads, paths, poles, render };

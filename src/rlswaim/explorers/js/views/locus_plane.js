@@ -1,10 +1,12 @@
 // The root locus on the page: its picture and caption, its window, and its poles as movable points.
-import { cameraOf, fitted, insetOf, windowOf, zoomed } from '../drawing/camera.js';
+
+import { cameraOf, fitted, insetOf, windowOf, withinReach, zoomed } from '../drawing/camera.js';
 import { contextOf } from '../drawing/context.js';
 import { drawLocus } from '../drawing/locus_pictures.js';
 import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { gainAt } from '../maths/gain_at.js';
 import { rootLocus } from '../maths/locus.js';
+import { namedPoles } from '../maths/open_loop.js';
 import { button, element, group, press, set, symbol } from '../page/elements.js';
 import { movable, movableByKeys, placeOn } from '../page/movable_point.js';
 import { number } from '../page/numbers.js';
@@ -23,9 +25,9 @@ const ZOOM = 1 / 0.7;
 
 /** A value of what runs, with its unit. @param {System} system @param {string} name */
 export const runText = (system, name) => {
-  const unit = system.running[name]?.ends ? ' ft' : '';
+  const { unit } = system.running[name] ?? {};
   /** @param {number} value */
-  return (value) => `${number(value)}${unit}`;
+  return (value) => (unit ? `${number(value)} ${unit}` : number(value));
 };
 
 export class LocusPlane {
@@ -228,8 +230,9 @@ export class LocusPlane {
    * @param {number} width @param {number} height @param {NamedRoots} closed @param {Pole[]} printed
    */
   #fit(width, height, closed, printed) {
-    const named = [...this.bench.system.poles, ...printed].map(({ re, im }) => [re, im]);
-    return fitted([...named, ...Array.from(closed.x, (x, i) => [x, closed.y[i]])], width, height);
+    const { system, state } = this.bench;
+    const near = [namedPoles(system, state.values), closed].flatMap((roots) => withinReach(system, roots));
+    return fitted([...near, ...printed.map(({ re, im }) => [re, im])], width, height);
   }
 
   /** @param {Values} values @param {What} what */

@@ -1,9 +1,10 @@
 // The closed-loop poles as a station runs along the vehicle; a click picks the station, a drag moves it.
-import { fitted, windowOf } from '../drawing/camera.js';
+import { fitted, windowOf, withinReach } from '../drawing/camera.js';
 import { contextOf } from '../drawing/context.js';
 import { drawMap } from '../drawing/locus_pictures.js';
 import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { poleMapping } from '../maths/locus.js';
+import { namedPoles } from '../maths/open_loop.js';
 import { element, panel, picture, select, set } from '../page/elements.js';
 import { movable } from '../page/movable_point.js';
 import { number } from '../page/numbers.js';
@@ -84,10 +85,9 @@ export class MapPanel {
 
   /** @param {number} width @param {number} height */
   #fit(width, height) {
-    const { closed, system } = this.bench;
-    /** @type {number[][]} */
-    const open = system.poles.map((/** @type {{ re: number, im: number }} */ { re, im }) => [re, im]);
-    return fitted([...Array.from(closed.x, (x, i) => [x, closed.y[i]]), ...open], width, height);
+    const { closed, system, state } = this.bench;
+    const near = [closed, namedPoles(system, state.values)].flatMap((roots) => withinReach(system, roots));
+    return fitted(near, width, height);
   }
 
   /** @param {NamedRoots} closed @param {View} view @param {Point[][]} sides */
@@ -100,10 +100,10 @@ export class MapPanel {
       this.height = height;
       this.canvas.style.height = `${height}px`;
     }
-    drawMap(contextOf(this.canvas, width, height), view, page.theme, closed, sides);
-    const [from, to] = system.running[state.station].ends;
-    const still = `${number(state.values[state.station])} ft`;
-    const range = `${state.station} from ${from} to ${to} ft, filled marks at ${still}`;
+    const { ends, unit } = system.running[state.station];
+    drawMap(contextOf(this.canvas, width, height), view, page.theme, closed, sides, unit);
+    const still = `${number(state.values[state.station])} ${unit}`;
+    const range = `${state.station} from ${ends.join(' to ')} ${unit}, filled marks at ${still}`;
     set(this.panel.extra, sides.length ? range : 'no influence: the feedback leaves out the bending');
     this.list.choose(state.shown.map);
   }
@@ -111,8 +111,9 @@ export class MapPanel {
   /** Words that may lag a little behind the picture. @param {string} words */
   later(words) {
     const { station, values } = this.bench.state;
-    const ends = this.bench.system.running[station].ends.join(' to ');
-    const at = `${number(values[station])} ft`;
-    this.canvas.ariaLabel = `Closed-loop poles as the ${station} runs from ${ends} ft. At ${at}: ${words}`;
+    const { ends, unit } = this.bench.system.running[station];
+    const range = `${ends.join(' to ')} ${unit}`;
+    const at = `${number(values[station])} ${unit}`;
+    this.canvas.ariaLabel = `Closed-loop poles as the ${station} runs from ${range}. At ${at}: ${words}`;
   }
 }

@@ -37,14 +37,14 @@ import { WorkbenchState } from './workbench_state.js';
  */
 
 const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
-/** @type {[string, string][]} */
-const SIGNS = [
+/** What the signs of the planes mean. @param {System} system @returns {[string, string][]} */
+const signsOf = ({ running, maps }) => [
   ['×', 'open-loop pole'],
   ['○', 'open-loop zero'],
   ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
   ['▸', 'rising gain'],
   ['◇', 'crossing: gain and ω'],
-  ['•', 'break-away; in the map, every 100 ft'],
+  ['•', `break-away; in the map, every 100 ${running[maps[0]].unit}`],
   ['╌', 'a pair whose roots left different poles'],
   ['+', 'printed in the report'],
 ];
@@ -62,7 +62,7 @@ export class Workbench {
     this.takeAway = new TakeAway(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
-    this.signs = legend(SIGNS);
+    this.signs = legend(signsOf(this.system));
     this.locusWords = {
       running: element('span'),
       crossings: element('span'),
@@ -70,7 +70,7 @@ export class Workbench {
       printed: element('span'),
     };
     this.named = '';
-    this.parts = [this.map, this.responses, this.mode];
+    this.parts = [this.map, this.responses, ...(this.system.vehicle ? [this.mode] : [])];
     this.seen = new Map(this.parts.map(({ canvas }) => [canvas, true]));
     this.page = new Lifecycle(el, this.system.system, {
       state: this.state,
@@ -79,7 +79,7 @@ export class Workbench {
       draw: () => this.#draw(),
       later: () => this.#later(),
       arrived: (texts) => {
-        if ('view.mode' in texts) this.mode.node.open = true;
+        if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
       },
       stop: () => this.#end(),
     });
@@ -175,6 +175,7 @@ export class Workbench {
     const { index, off } = nearestRoot(this.closed, re, im);
     if (off > 1e-5 * Math.hypot(re, im) + 1e-9)
       return this.takeAway.say('another loop is open here: not a pole of the whole system');
+    if (!this.system.vehicle) return;
     this.mode.node.open = true;
     this.look({ mode: index });
   }
@@ -246,7 +247,7 @@ export class Workbench {
     this.plane.later(`${word.toLowerCase()}${long}`);
     this.map.later(short);
     this.responses.later();
-    this.mode.later();
+    if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
   }
 }

@@ -1,0 +1,153 @@
+"""The report's conclusions on each rung of the ladder: stands, falls or depends, with its number."""
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import NamedTuple
+
+import control
+import numpy as np
+import pandas as pd
+
+from rlswaim.edition.slow_roots import abscissas
+from rlswaim.practice.blocks import delay, gain, second_order
+from rlswaim.practice.ladder import Rung, vehicle_on
+from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
+from rlswaim.practice.limits import Limits, limits
+from rlswaim.practice.measurements import angle
+from rlswaim.practice.rungs import Step, ladder_steps
+from rlswaim.source.tables import constants
+
+
+class Cell(NamedTuple):
+    """One conclusion on one rung: stands, falls or depends, and the number that says so."""
+
+    verdict: str
+    number: float
+    unit: str = ""
+
+    def __str__(self) -> str:
+        """Return verdict and number as a page shows them."""
+        return f"{self.verdict}, {self.number:.3g}{self.unit}"
+
+
+def unstable_root(step: Step) -> float:
+    """Return the largest real part of the uncontrolled vehicle's poles on a rung (1/s)."""
+    return float(vehicle_on(*step).poles().real.max())
+
+
+def _actuation(rung: Rung) -> control.StateSpace:
+    """Return what a rung has between command and angle: actuator, delay, gyro and low-pass."""
+    c = constants("ladder")
+    chain = [gain(1.0)]
+    for omega, zeta in ((rung.actuator, "actuator"), (rung.gyro, "gyro"), (rung.low_pass, "filter")):
+        if omega:
+            chain.append(second_order([omega**2], [1.0, 2 * c[f"{zeta}_zeta"] * omega, omega**2]))
+    if rung.delay:
+        chain.append(delay(rung.delay, int(c["pade_order"])))
+    return control.ss(control.series(*chain))
+
+
+def angle_limits(step: Step) -> Limits:
+    """Return the limits of the angle that Sections V to VII feed back, with a rung's hardware.
+
+    With realizable filters it is the whole angle at the gyro, else the rigid body's alone.
+    """
+    eqs, rung = step
+    vehicle = vehicle_on(eqs, rung)
+    gyros = {constants("ladder")["gyro_station"]: 1.0} if rung.low_pass else {}
+    row = angle(eqs, gyros)
+    C = np.array([[row.get(name, 0.0) for name in vehicle.output_labels]])
+    B = vehicle.B[:, [vehicle.input_labels.index("delta")]]
+    plant = control.ss(vehicle.A, B, C, np.zeros((1, 1)))
+    return limits(control.ss(control.series(_actuation(rung), plant)))
+
+
+def as_found(step: Step) -> float:
+    """Return the largest real part (1/s), a slow real root apart, of Section VII's modest loop as it is."""
+    gains = {name: value for name, value in modest_gains().items() if name not in ("sensor", "jet")}
+    return float(abscissas(STRUCTURES["VII"].closed_loop(step, **gains).poles()[None], apart=True)[0])
+
+
+def diverges(rung: str) -> Cell:
+    """Return whether the uncontrolled vehicle diverges on a rung; its unstable root (1/s)."""
+    root = unstable_root(ladder_steps()[rung])
+    return Cell("stands" if root > 0 else "falls", root)
+
+
+def no_stable_controller(rung: str) -> Cell:
+    """Return whether no stable controller stabilizes the angle fed back; the least peak of |S|."""
+    found = angle_limits(ladder_steps()[rung])
+    return Cell("falls" if found.stable_controller else "stands", found.peak)
+
+
+def _no_gains(section: str) -> Callable[[str], Cell]:
+    def cell(rung: str) -> Cell:
+        least = stored()[rung, section].abscissa
+        return Cell("stands" if least > 0 else "falls", least)
+
+    return cell
+
+
+def design_holds(rung: str) -> Cell:
+    """Return whether Section VII's modest loop is stable on a rung as it is, and what it would be retuned.
+
+    It depends where other gains at the same stations do it.
+    """
+    here = as_found(ladder_steps()[rung])
+    retuned = stored()[rung, "VII"].abscissa
+    return Cell("stands" if here < 0 else "depends" if retuned < 0 else "falls", here)
+
+
+def gains_exist(rung: str) -> Cell:
+    """Return whether gains of Section VII's structure stabilize on a rung, at the modest loop's stations."""
+    least = stored()[rung, "VII"].abscissa
+    return Cell("stands" if least < 0 else "falls", least)
+
+
+class Conclusion(NamedTuple):
+    """What is said, the page that says it, and the cell on a rung."""
+
+    words: str
+    page: str
+    cell: Callable[[str], Cell]
+
+
+CONCLUSIONS: Mapping[str, Conclusion] = {
+    "diverges": Conclusion("diverges without control (3b)", "03-forward-loop", diverges),
+    "parity": Conclusion(
+        "no stable controller by the angle fed back", "15-limits-of-performance", no_stable_controller
+    ),
+    "IV": Conclusion("no gains of rate and attitude (3a)", "04-rate-and-attitude-feedback", _no_gains("IV")),
+    "V": Conclusion("none with one sensor (6b)", "05-single-sensor", _no_gains("V")),
+    "VI": Conclusion("none with two (6b)", "06-two-sensors", _no_gains("VI")),
+    "modest": Conclusion("a modest jet does it (against 1c)", "07-dual-actuation", design_holds),
+    "VII": Conclusion("or other gains of it", "07-dual-actuation", gains_exist),
+}
+
+
+@cache
+def cells() -> dict[str, dict[str, Cell]]:
+    """Return all cells by rung and conclusion."""
+    return {rung: {name: one.cell(rung) for name, one in CONCLUSIONS.items()} for rung in ladder_steps()}
+
+
+def table(more: Mapping[str, Mapping[str, Cell]]) -> pd.DataFrame:
+    """Return all cells as texts with links, one row a rung and one column a conclusion.
+
+    Parameters
+    ----------
+    more : mapping of str to mapping of str to Cell
+        Rungs below those of `cells`, in the same form.
+
+    Returns
+    -------
+    DataFrame
+    """
+    rows = {**cells(), **more}
+    return pd.DataFrame(
+        {
+            one.words: [f"[{found[name]}]({one.page})" for found in rows.values()]
+            for name, one in CONCLUSIONS.items()
+        },
+        index=list(rows),
+    )

@@ -1,0 +1,112 @@
+"""The table of conclusions by rungs: its numbers by other ways, its searches closed again."""
+
+import numpy as np
+import pytest
+
+import rlswaim as rl
+from rlswaim.edition.slow_roots import abscissas, slow_bound
+from rlswaim.loops.certificates import slow_root_certificate
+from rlswaim.loops.closed_loops import polynomial
+from rlswaim.practice import conclusions_on_rungs as judged
+from rlswaim.practice import dispersions as dis
+from rlswaim.practice import ladder_search as search
+from rlswaim.practice.limits import limits
+from rlswaim.practice.measurements import attitude
+from rlswaim.practice.rungs import ladder_steps
+from rlswaim.rootlocus.polynomials import roots
+
+STEPS, STORED = ladder_steps(), search.stored()
+
+
+@pytest.mark.parametrize("pair", STORED, ids=str)
+def test_each_winner_closes_its_loop_as_stored(pair):
+    rung, section = pair
+    best = STORED[pair]
+    structure = search.STRUCTURES[section]
+    poles = structure.closed_loop(STEPS[rung], **best.gains).poles()
+    assert abscissas(poles[None], True)[0] == pytest.approx(best.abscissa, rel=1e-4, abs=1e-5)
+    problem = search.OnARung(STEPS[rung], structure)
+    A = problem.matrices(**best.gains)
+    assert abscissas(np.linalg.eigvals(A)[None], True)[0] == pytest.approx(best.abscissa, rel=1e-3, abs=1e-4)
+    assert np.all(problem.place(best.gains) >= -1e-9)
+    assert np.all(problem.place(best.gains) <= 1 + 1e-9)
+
+
+def test_every_rung_and_section_is_stored():
+    assert set(STORED) == {(rung, section) for rung in STEPS for section in search.STRUCTURES}
+    assert min(best.evaluations for best in STORED.values()) > 10_000
+
+
+def test_no_search_beats_a_proof():
+    """Where a certificate rules all gains out, the search has found none; and the report's loops agree."""
+    ways = {"IV": (60.0, ()), "V": (None, (140.0,)), "VI": (None, (300.0, 140.0))}
+    for rung in ("as printed", "gravity"):
+        for section, (gyro, sensors) in ways.items():
+            proved = slow_root_certificate(STEPS[rung].eqs, gyro, sensors, slow_bound()) > 1e-6
+            assert not proved or STORED[rung, section].abscissa > 0
+
+
+def test_a_short_search_is_not_better_than_the_stored_one():
+    found = search.sought("gravity", "IV", rounds=20)
+    assert STORED["gravity", "IV"].abscissa - 1e-9 <= found.abscissa < 2
+
+
+@pytest.mark.parametrize("rung", STEPS)
+def test_modest_loop_as_found(rung):
+    step = STEPS[rung]
+    given = judged.as_found(step)
+    if len(step.eqs.modes) == 2 and not any(vars(step.rung).values()):
+        p = polynomial(step.eqs, "modest_jet", search.modest_gains())
+        assert given == pytest.approx(abscissas(roots(p)[None], True)[0], rel=1e-5)
+    verdict = judged.cells()[rung]["modest"].verdict
+    assert (verdict == "stands") == (given < 0)
+    assert STORED[rung, "VII"].abscissa <= given + 1e-6
+
+
+def test_bounds_without_hardware_are_those_of_chapter_xv():
+    for rung, gravity in (("as printed", False), ("gravity", True)):
+        plain = limits(attitude(rl.printed_equations(gravity=gravity), None))
+        found = judged.cells()[rung]["parity"]
+        assert found.number == pytest.approx(plain.peak)
+        assert found.verdict == "stands"
+    # A delay's zeros right of the axis make the bound greater, other stable parts leave it.
+    assert judged.cells()["20 ms delay"]["parity"].number > judged.cells()["as printed"]["parity"].number
+
+
+def test_table_has_a_link_in_each_cell():
+    frame = judged.table({"dispersions": dis.cells()})
+    assert frame.shape == (len(STEPS) + 1, len(judged.CONCLUSIONS))
+    pages = {one.words: one.page for one in judged.CONCLUSIONS.values()}
+    for words, column in frame.items():
+        assert all(text.endswith(f"]({pages[words]})") for text in column)
+
+
+def test_dispersions_are_stored_as_they_come_out():
+    shares, draws = dis.stored_shares(), dis.draws()
+    assert draws.shape == (shares["draws"], 9)
+    worst = dis.outcome(draws[int(shares["worst_draw"])])
+    assert worst.modest == pytest.approx(shares["worst"], rel=1e-5)
+    few = [dis.outcome(draw) for draw in draws[1:13]]
+    assert all(one.modest <= worst.modest for one in few)
+    assert shares["diverges"] == shares["parity"] == 100
+    assert all(one.unstable > 0 and not one.stable_controller for one in few)
+    for i, name in enumerate(dis.CLAIMS):
+        assert shares[name] < 100 or all(one.ruled_out[i] for one in few)
+    assert dis.cells()["modest"] == judged.Cell("depends", shares["modest"], " %")
+
+
+def test_dispersed_modest_loop_is_that_of_the_polynomial():
+    draw = dis.draws()[7]
+    eqs = rl.perturbation_equations(dis.dispersed(rl.swaim_booster(), draw), gravity=True)
+    p = polynomial(eqs, "modest_jet", search.modest_gains())
+    assert dis.outcome(draw).modest == pytest.approx(abscissas(roots(p)[None], True)[0], rel=1e-5)
+
+
+def test_no_change_is_the_report_s_vehicle():
+    booster = rl.swaim_booster()
+    same = dis.dispersed(booster, np.zeros(9))
+    ours, wanted = (rl.perturbation_equations(b).coefficients for b in (same, booster))
+    assert dict(ours) == pytest.approx(dict(wanted))
+    moved = dis.dispersed(booster, np.ones(9))
+    assert moved.modes[0].omega == pytest.approx(1.1 * booster.modes[0].omega)
+    assert pytest.approx(1.05 * booster.M) == moved.M
