@@ -5,10 +5,11 @@ Notebooks run in this folder and import it by its name.
 
 from collections.abc import Mapping
 from numbers import Integral, Real
+from urllib.parse import quote
 
 import matplotlib as mpl
 import pandas as pd
-from IPython.display import Markdown
+from IPython.display import HTML, Markdown
 from matplotlib_inline.backend_inline import set_matplotlib_formats
 from myst_nb import glue
 
@@ -122,3 +123,22 @@ def reasons(rows: pd.DataFrame, place: str) -> pd.DataFrame:
     groups = rows.groupby(["verdict", "why"], sort=False)[place]
     places = groups.agg(lambda found: f"{', '.join(dict.fromkeys(found))} ({len(found)})")
     return places.reset_index().rename(columns={place: f"{place} (how many)"})
+
+
+def glue_state(name: str, words: str, view: str, **values: float | str) -> None:
+    """Give the prose a link that opens a live view of its page at these values.
+
+    Parameters
+    ----------
+    name : str
+        The prose names the link by it: ``{glue}`name` ``.
+    words : str
+        What the link says.
+    view : str
+        The view's name in addresses, such as ``rate-attitude``.
+    **values : float or str
+        All parameters of the view; numbers are rounded to five significant digits.
+    """
+    texts = {key: value if isinstance(value, str) else f"{value:.5g}" for key, value in values.items()}
+    state = ",".join(f"{key}={quote(text)}" for key, text in texts.items())
+    glue(name, HTML(f'<a class="view-state" href="#{view}:{state}">{words}</a>'), display=False)

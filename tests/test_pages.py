@@ -95,6 +95,8 @@ def test_internal_links_lead_somewhere(links):
             target = unquote(address) or page
             if urlsplit(link).scheme or urlsplit(link).netloc or (link.startswith("#") and not anchor):
                 continue
+            if re.match(r"[\w-]+:", anchor):  # a state of a live view: test_exercises opens it
+                continue
             if not (HTML / target).is_file() or (
                 anchor and target in links and unquote(anchor) not in links[target].ids
             ):
