@@ -31,7 +31,7 @@ PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -na
 FRAME := _config.yml _toc.yml CITATION.cff $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
-.PHONY: help installed packages ready serve book pdf test fuzz bench searches test-oldest test-newest lint scripts notebooks lock clean
+.PHONY: help installed packages ready serve book pdf test fuzz bench searches designs test-oldest test-newest lint scripts notebooks lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -73,6 +73,13 @@ searches: installed ## search all gains within the bounds again, some minutes, a
 	@mkdir -p _build
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.edition.long_searches > _build/searches.csv
 	mv _build/searches.csv src/rlswaim/source/data/searches.csv
+
+designs: installed ## search the gains of fixed structures and draw 2,000 vehicles for each design again, and store both
+	@mkdir -p _build
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.synthesis > _build/synthesis.csv
+	mv _build/synthesis.csv src/rlswaim/source/data/synthesis.csv
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.monte_carlo > _build/monte_carlo.csv
+	mv _build/monte_carlo.csv src/rlswaim/source/data/monte_carlo.csv
 
 test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest
 	$(call elsewhere,.oldest,--resolution lowest-direct)

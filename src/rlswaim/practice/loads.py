@@ -75,13 +75,14 @@ def _by_mode(booster: Booster, columns: Sequence[str], values: Sequence[float]) 
     return found
 
 
-def _axial(booster: Booster, columns: Sequence[str], x: float) -> NDArray:
-    """Return the moment (lb ft) at a cut of the axial inertia ahead of it, by state and input."""
-    found = np.zeros(len(columns))
-    for at, mass in zip(booster.stations, booster.masses, strict=True):
-        if at < x:
-            bent = [mode.deflection(x) - mode.deflection(float(at)) for mode in booster.modes]
-            found += mass * booster.T / booster.masses.sum() * _by_mode(booster, columns, bent)
+def _axial(booster: Booster, columns: Sequence[str], cuts: NDArray) -> NDArray:
+    """Return the moment (lb ft) at each cut of the axial inertia ahead of it: (cuts, columns)."""
+    found = np.zeros((cuts.size, len(columns)))
+    pulls = booster.masses * booster.T / booster.masses.sum()
+    ahead = np.where(booster.stations < cuts[:, None], pulls, 0.0)
+    for i, mode in enumerate(booster.modes, start=1):
+        bent = mode.deflection(cuts)[:, None] - mode.deflection(booster.stations)
+        found[:, columns.index(f"q{i}")] = (ahead * bent).sum(axis=1)
     return found
 
 
@@ -127,8 +128,7 @@ def section_loads(
     G = booster.thrust_station
     ends = np.array([*cuts, G])
     ahead = np.maximum(ends[:, None] - places, 0.0)
-    axial = np.array([_axial(booster, columns, float(x)) for x in ends])
-    shear, moment = (places < ends[:, None]) @ forces, ahead @ forces + axial
+    shear, moment = (places < ends[:, None]) @ forces, ahead @ forces + _axial(booster, columns, ends)
     thrust = _by_mode(booster, columns, [-booster.T * mode.slope(G) for mode in booster.modes])
     thrust[columns.index("delta")] = booster.T
     return SectionLoads(cuts, columns, shear[:-1], moment[:-1], shear[-1] + thrust, moment[-1])

@@ -1,6 +1,5 @@
-"""The ladder's last rung: vehicles that differ from the report's in all their data at once."""
+"""The ladder's last rung: what holds for vehicles that differ from the report's in all their data at once."""
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -10,39 +9,15 @@ from rlswaim.edition.firm_claims import PROVED
 from rlswaim.edition.slow_roots import slow_bound
 from rlswaim.loops.certificates import slow_root_certificate
 from rlswaim.practice.conclusions_on_rungs import Cell, angle_limits, as_found, unstable_root
+from rlswaim.practice.dispersed import dispersed, drawn
 from rlswaim.practice.ladder import Rung
 from rlswaim.practice.rungs import Step
-from rlswaim.source.tables import constants, read_table
-from rlswaim.vehicle.booster import Booster, swaim_booster
+from rlswaim.source.tables import read_table
+from rlswaim.vehicle.booster import swaim_booster
 from rlswaim.vehicle.equations import perturbation_equations
 
-
-def dispersed(booster: Booster, draw: NDArray) -> Booster:
-    """Return a booster with its data moved within the ranges of ``data/ladder.csv``.
-
-    Parameters
-    ----------
-    booster : Booster
-        With two modes and two surfaces.
-    draw : ndarray, shape (9,)
-        Between -1 and 1: both frequencies, both damping ratios, both surfaces, q_D, mass, inertia.
-    """
-    c = constants("ladder")
-    spread = {name: c[f"spread_{name}"] for name in ("omega", "zeta", "air", "mass")}
-    modes = tuple(
-        replace(m, omega=m.omega * (1 + spread["omega"] * w), zeta=m.zeta * (1 + spread["zeta"] * z))
-        for m, w, z in zip(booster.modes, draw[:2], draw[2:4], strict=True)
-    )
-    surfaces = tuple(
-        replace(s, C_Nalpha=s.C_Nalpha * (1 + spread["air"] * x))
-        for s, x in zip(booster.surfaces, draw[4:6], strict=True)
-    )
-    flight = replace(booster.flight, q_D=booster.flight.q_D * (1 + spread["air"] * draw[6]))
-    mass, inertia = 1 + spread["mass"] * draw[7:]
-    M, I_y = booster.M * float(mass), booster.I_y * float(inertia)
-    return replace(booster, modes=modes, surfaces=surfaces, flight=flight, M=M, I_y=I_y)
-
-
+DRAWS = 500
+"""So many dispersed vehicles are judged."""
 CLAIMS = {"IV": (60.0, ()), "V": (None, (140.0,)), "VI": (None, (300.0, 140.0))}
 """Gyro and sensors (ft) of the claims that no gains of Sections IV to VI stabilize."""
 
@@ -60,20 +35,9 @@ class Outcome(NamedTuple):
     """Largest real part (1/s) under the modest loop of Section VII, a slow real root apart."""
 
 
-def draws(seed: int = 1964) -> NDArray:
-    """Return as many draws as ``data/ladder.csv`` says, even over the cube: shape (n, 9).
-
-    Parameters
-    ----------
-    seed : int
-        Of the random numbers.
-    """
-    return np.random.default_rng(seed).uniform(-1, 1, (int(constants("ladder")["draws"]), 9))
-
-
-def outcome(draw: NDArray) -> Outcome:
-    """Return the outcome of one draw, shape (9,)."""
-    eqs = perturbation_equations(dispersed(swaim_booster(), draw), gravity=True)
+def outcome(index: int) -> Outcome:
+    """Return the outcome of one draw, by its number from 0."""
+    eqs = perturbation_equations(dispersed(swaim_booster(), drawn(index)), gravity=True)
     step = Step(eqs, Rung())
     proved = (slow_root_certificate(eqs, *claim, slow_bound()) > PROVED for claim in CLAIMS.values())
     return Outcome(
@@ -82,8 +46,8 @@ def outcome(draw: NDArray) -> Outcome:
 
 
 def stored_shares() -> dict[str, float]:
-    """Return the shares (%) over all draws as stored, and the worst draw's place [data/dispersions.csv]."""
-    return {row["quantity"]: float(row["value"]) for row in read_table("dispersions")}
+    """Return the shares (%) as stored in data/ladder_dispersed.csv, and the worst draw's place."""
+    return {row["quantity"]: float(row["value"]) for row in read_table("ladder_dispersed")}
 
 
 def cells() -> dict[str, Cell]:
@@ -98,8 +62,8 @@ def cells() -> dict[str, Cell]:
 
 
 def main() -> None:
-    """Print the shares as the table ``dispersions``."""
-    found = [outcome(draw) for draw in draws()]
+    """Print the shares as the table ``ladder_dispersed``."""
+    found = [outcome(index) for index in range(DRAWS)]
     modest = np.array([one.modest for one in found])
     meanings: dict[str, tuple[list[bool] | NDArray, str]] = {
         "diverges": ([one.unstable > 0 for one in found], "vehicles that diverge without control"),
