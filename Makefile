@@ -34,8 +34,8 @@ test: book $(PACKAGES) ## check everything: numbers, notebooks, contracts, and e
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/python -m pytest $(PYTEST)
 
-fuzz: $(INSTALLED) ## throw 2,000 random cases at each kind of loop, vehicle and bad input
-	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py
+fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad input, and at each page's address
+	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py tests/test_hostile_addresses.py
 
 bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
 	@mkdir -p _build
