@@ -46,9 +46,13 @@ VISIT = """async (addresses) => {
   return slow;
 }"""
 WATCH = """globalThis.tasks = [];
-const watch = new PerformanceObserver((list) => tasks.push(...list.getEntries()));
-watch.observe({ type: 'longtask', buffered: true });"""
-TOLD = """name => document.querySelector(`[data-explorer='${name}']`).innerText"""
+new PerformanceObserver((list) => tasks.push(...list.getEntries())).observe({ type: 'longtask' });"""
+TOLD = """name => {
+  const root = document.querySelector(`[data-explorer='${name}']`);
+  return root.innerText + [...root.querySelectorAll('canvas')].map((canvas) => canvas.ariaLabel);
+}"""
+PICTURES = {"comparison": "canvas[data-plane=locus]", "station-map": "canvas[data-plane=stations]"}
+"""Views whose sliders are elsewhere: arrow keys on these pictures move something."""
 
 
 def value(rng: random.Random, grid: tuple) -> str:
@@ -126,12 +130,11 @@ def assert_alive(page: Page, path: str) -> None:
     """A key on the first slider of each view, or on its picture, changes what it tells."""
     for name in (name for name, at in PAGES.items() if at == path):
         panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
-        slider = panel.locator("[role=slider]").first
-        target = slider if name != "comparison" else panel.locator("canvas[data-plane=locus]").first
+        target = panel.locator(PICTURES.get(name, "[role=slider]")).first
         target.scroll_into_view_if_needed()
         page.wait_for_timeout(200)
         before = page.evaluate(TOLD, name)
-        for key in ("Home", "ArrowRight") if name != "comparison" else ("ArrowLeft",):
+        for key in ("ArrowLeft",) if name in PICTURES else ("Home", "ArrowRight"):
             target.press(key)
             page.wait_for_timeout(50)
         page.wait_for_function(f"([name, before]) => ({TOLD})(name) !== before", arg=[name, before])
