@@ -60,8 +60,8 @@ test: ready ## check everything: numbers, notebooks, contracts, and each built p
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST)  # the tests of a file share what they prepare
 
-fuzz: installed ## throw 2,000 random cases at each kind of loop, vehicle and bad input
-	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py
+fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad input, and at each page's address
+	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py tests/test_hostile_addresses.py
 
 bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
 	@mkdir -p _build

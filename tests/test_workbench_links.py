@@ -132,6 +132,21 @@ class TestTakeAway:
             "[...el.querySelectorAll('.poles tbody tr')].map((row) => row.dataset.branch)"
         )
 
+    def test_names_and_table_tell_the_gains(self, page):
+        show(page, K_A=-2.5, feedback="rigid body")
+        with page.expect_download() as download:
+            page.get_by_role("button", name="Poles (CSV)").click()
+        given = "K_A=-2.5_K_C=10_K_R=0.618_gyro=60_feedback=rigid-body"
+        assert download.value.suggested_filename == f"rate-attitude_{given}_poles.csv"
+        rows = list(csv.DictReader(io.StringIO(Path(download.value.path()).read_text(encoding="utf-8"))))
+        assert len(rows) == len(table(page))
+        for row in rows:
+            assert (float(row["K_A"]), float(row["K_R"]), row["gyro"]) == (-2.5, 0.618, "60")
+            assert row["feedback"] == "rigid body"
+        with page.expect_download() as download:
+            page.get_by_role("button", name="Picture (SVG)").click()
+        assert download.value.suggested_filename == f"rate-attitude_{given}_locus.svg"
+
     def test_no_clipboard_is_said_in_words(self, page):
         page.evaluate("Object.defineProperty(navigator, 'clipboard', { value: undefined })")
         page.get_by_role("button", name="Copy link").click()

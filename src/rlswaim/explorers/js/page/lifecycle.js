@@ -4,6 +4,7 @@ import { isFirstInAddress, nameOf, readAddress, writeAddress } from './address.j
 import { element, set } from './elements.js';
 import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
+import { roundSteps } from './slider_keys.js';
 import { onThemeChange, themeOf } from './theme.js';
 import { onUndoKeys, UndoHistory } from './undo.js';
 
@@ -45,6 +46,7 @@ export class Lifecycle {
     this.timer = 0;
     this.words = '';
     this.arrived = false;
+    this.unkeySliders = () => {};
     this.notice = new Notice(() => this.reset());
     el.append(this.notice.node);
     el.classList.add('rlswaim-explorer');
@@ -113,6 +115,7 @@ export class Lifecycle {
       resized.disconnect();
       unwatch();
       unkey();
+      this.unkeySliders();
       removeEventListener('hashchange', address);
       for (const name of watched) model.off(`change:${name}`, changed);
       view.stop?.();
@@ -122,6 +125,9 @@ export class Lifecycle {
   #measure() {
     if (!this.arrived && this.el.isConnected) {
       this.arrived = true;
+      const panel = this.el.closest('.widget-vbox');
+      const { own, model } = this.view.state;
+      if (panel) this.unkeySliders = roundSteps(panel, own, model);
       this.#readAddress(isNewHere());
       this.history.begin();
     }

@@ -4,7 +4,7 @@ import { complex, number, signed } from './numbers.js';
 
 /** @import { Crossing, Roots } from '../types.d.ts' */
 /** @typedef {{ dB: number, factor: number, omega: number }} GainMargin */
-/** @typedef {{ degrees: number, omega: number }} PhaseMargin */
+/** @typedef {{ degrees: number, omega: number, delay: number }} PhaseMargin */
 
 const READ_OFF = 0.05; // of a root's size, at least of .1 1/s: what a plotted locus tells
 
@@ -18,16 +18,30 @@ export function crossingWords(crossings) {
     : ': no branch crosses the imaginary axis.';
 }
 
-/** @param {{ gain: GainMargin[], phase: PhaseMargin[] } | null} margins */
-export function marginWords(margins) {
+/**
+ * The margins of a stable loop, those that are used up first at the front; an unstable one has none.
+ * @param {{ gain: GainMargin[], phase: PhaseMargin[] } | null} margins
+ * @param {boolean} isStable
+ */
+export function marginWords(margins, isStable) {
   if (!margins) return '';
-  const gain = margins.gain.map(
+  if (!isStable) return 'Gain margins: none, as this loop is not stable. Phase margins: none.';
+  /** @template Each @param {Each[]} each @param {(margin: Each) => number} size */
+  const nearest = (each, size) => [...each].sort((a, b) => Math.abs(size(a)) - Math.abs(size(b)));
+  const gain = nearest(margins.gain, ({ dB }) => dB).map(
     (m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, ω = ${number(m.omega, 3)} rad/s)`,
   );
-  const phase = margins.phase.map((m) => `${signed(m.degrees, 3)}° (ω = ${number(m.omega, 3)} rad/s)`);
-  /** @param {string[]} words */
-  const list = (words) => (words.length ? words.join(', ') : 'none');
-  return `Gain margins: ${list(gain)}. Phase margins: ${list(phase)}.`;
+  const phase = nearest(margins.phase, ({ degrees }) => degrees).map(
+    (m) => `${signed(m.degrees, 3)}° (ω = ${number(m.omega, 3)} rad/s)`,
+  );
+  const delays = margins.phase.map(({ delay }) => delay);
+  /** @param {string[]} words @param {string} without */
+  const list = (words, without) => (words.length ? words.join(', ') : without);
+  const delay = delays.length ? ` Delay margin: ${number(Math.min(...delays), 3)} s.` : '';
+  return (
+    `Gain margins: ${list(gain, 'no crossing, any gain')}. ` +
+    `Phase margins: ${list(phase, 'the loop’s size is nowhere 1')}.${delay}`
+  );
 }
 
 /**

@@ -205,7 +205,11 @@ export class LocusPlane {
       this.inset = { view, magnify, locus: /** @type {Locus} */ (rootLocus(system, values, view, what)) };
     }
     /** @type {Extra} */
-    this.extra = { printed: roots, selected: this.bench.selected(closed), inset: this.inset };
+    this.extra = {
+      printed: state.isDesign(printed) ? roots : [],
+      selected: this.bench.selected(closed),
+      inset: this.inset,
+    };
     this.paint(contextOf(this.canvas, width, height));
     this.poles.place(this.locus.present, this.view);
     this.#say(values, what);

@@ -228,7 +228,13 @@ export class Workbench {
       words.running.replaceChildren(...symbol(running));
     }
     set(words.crossings, crossingWords(locus.crossings));
-    set(words.margins, marginWords(margins(system, values, state.what)));
+    set(
+      words.margins,
+      marginWords(
+        margins(system, values, state.what),
+        Array.from(locus.present.x).every((x) => x < 0),
+      ),
+    );
     set(words.printed, printedWords(/** @type {any} */ (extra.printed), locus.present));
     const { path } = system.presets[state.shown.printed] ?? {};
     const sign = /** @type {Text} */ (this.signs.lastChild.lastChild);

@@ -96,7 +96,7 @@ export class WorkbenchState extends ParameterState {
     const { values } = this;
     /** @param {number} i */
     const at = (i) => holds(this.system.presets[i].values, values);
-    return at(preset) && (printed === preset || printed < 0 || !at(printed));
+    return preset >= 0 && at(preset) && (printed === preset || printed < 0 || !at(printed));
   }
 
   /** @param {string} name @returns {number[]} */

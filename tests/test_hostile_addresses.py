@@ -1,0 +1,233 @@
+"""Random and hostile addresses of the built pages: no error, no long task, and the views live on.
+
+100 addresses a page with ``make test``, 2,000 with ``make fuzz``; most come by a change of the address, one
+of 25 by a fresh load.  A task over 500 ms counts when it is so in each of four tries: a busy machine may hold
+up any page once, a state that is slow to draw is slow each time.
+"""
+
+import os
+import random
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Page
+
+from livepage import PAGES, library
+
+COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
+BATCH = 25
+LONGEST = 500  # ms
+TRIES = 4
+SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify")
+NUMBERS = ["1e308", "-1e308", "1e155", "1e150", "1e60", "-1e60", "1e400", "Infinity", "-Infinity", "NaN"]
+NUMBERS += ["0", "-0", "1e-320", "-1e-300", "0x10", "1_000", "1,5", "1e", "", " ", "9" * 400, "3.5", "-1"]
+TEXTS = ["%00", "%ZZ", "%E0%A4", "<img src=x onerror=alert(1)>", "%3Cscript%3Ealert(1)%3C/script%3E"]
+TEXTS += ["__proto__", "constructor", "total", "rigid body", "coupling", "K_A", "undefined", "null"]
+TEXTS += ["'\"`", "\u202e", "=", "a" * 3000]
+WINDOWS = ["1e308_1e308_1e308", "0_0_0", "0_0_-1", "1e308_0_1", "0_0_1e-300", "0_0_1e300", "0_0_1", "1_2_3_4"]
+WINDOWS += ["_", "NaN_0_1", "1e6_1e6_1e-7", "-4_-1_1e5", "0_0_1e-7", "-1e6_0_1e5", "0_1e308_16"]
+RUBBISH = ["&&::,,==", "%", "fig-8", ":", "comparison:left", "x" * 20000]
+
+VISIT = """async (addresses) => {
+  const settle = (ms) => new Promise((done) => setTimeout(done, ms));
+  const frame = () => new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+  const slow = [];
+  for (const address of addresses) {
+    const start = performance.now();
+    location.hash = address;
+    await settle(0);
+    await frame();
+    await frame();
+    await settle(20);
+    const long = globalThis.tasks.filter((task) => task.startTime + task.duration > start);
+    const most = Math.max(0, ...long.map(({ duration }) => duration));
+    if (most > 0) slow.push([address, most]);
+  }
+  return slow;
+}"""
+WATCH = """globalThis.tasks = [];
+new PerformanceObserver((list) => tasks.push(...list.getEntries())).observe({ type: 'longtask' });"""
+TOLD = """name => {
+  const root = document.querySelector(`[data-explorer='${name}']`);
+  return root.innerText + [...root.querySelectorAll('canvas')].map((canvas) => canvas.ariaLabel);
+}"""
+PICTURES = {"comparison": "canvas[data-plane=locus]", "station-map": "canvas[data-plane=stations]"}
+"""Views whose sliders are elsewhere: arrow keys on these pictures move something."""
+
+
+def value(rng: random.Random, grid: tuple) -> str:
+    """Return a value for a parameter: one of its places, a number of any size, or nonsense."""
+    kind = rng.random()
+    if kind < 0.3:
+        return str(rng.choice(grid))
+    if kind < 0.6:
+        return f"{rng.choice([-1, 1]) * 10 ** rng.uniform(-320, 308):.6g}"
+    return rng.choice(NUMBERS if kind < 0.85 else TEXTS)
+
+
+def part(rng: random.Random, name: str) -> str:
+    """Return what an address says of one view: its parameters, what it shows, and names that it hasn't."""
+    if name == "comparison":
+        pairs = {key: rng.choice([str(rng.randrange(-2, 40)), *NUMBERS]) for key in ("left", "right")}
+        return f"{name}:" + ",".join(f"{key}={text}" for key, text in pairs.items())
+    pairs = {p.name: value(rng, p.grid) for p in library(name).parameters if rng.random() < 0.6}
+    for key in SHOWN:
+        if rng.random() < 0.15:
+            pairs[f"view.{key}"] = rng.choice([str(rng.randrange(-2, 20)), *NUMBERS, *TEXTS])
+    if rng.random() < 0.3:
+        pairs["view.window"] = rng.choice(WINDOWS)
+    if rng.random() < 0.2:
+        pairs[rng.choice(TEXTS)] = rng.choice(NUMBERS)
+    return f"{name}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())
+
+
+def addresses(path: str, count: int) -> list[str]:
+    """Return addresses of a page, the same on each run: whole ones, and now and then mere rubbish."""
+    rng = random.Random(f"1964 {path}")
+    names = [name for name, at in PAGES.items() if at == path]
+    rubbish = [
+        "&&::,,==",
+        "%",
+        "fig-8",
+        ":",
+        "comparison:left",
+        f"{names[0]}:",
+        f"{names[0]}.2:K_A=1",
+        "x" * 20000,
+    ]
+    found = []
+    for _ in range(count):
+        parts = [part(rng, rng.choice(names)) for _ in range(rng.choice([1, 1, 1, 2]))]
+        if rng.random() < 0.1:
+            parts.insert(rng.randrange(len(parts) + 1), rng.choice(rubbish))
+        found.append("&".join(parts))
+    return found
+
+
+@pytest.fixture
+def errors() -> Iterator[list[str]]:
+    """All that goes wrong on any page of a test; at its end there must be nothing."""
+    found: list[str] = []
+    yield found
+    assert found == []
+
+
+def opened(browser, site: str, path: str, errors: list[str], address: str = "") -> Page:
+    """Open a page that keeps its long tasks, and wait until each of its views has been drawn."""
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.set_default_timeout(120_000)
+    page.add_init_script(WATCH)
+    page.on("pageerror", lambda error: errors.append(f"{page.url[:300]}: {error}"))
+    page.on("console", lambda line: line.type == "error" and errors.append(f"{page.url[:300]}: {line.text}"))
+    page.on("dialog", lambda dialog: (errors.append(f"dialog: {page.url[:300]}"), dialog.dismiss()))
+    page.goto(f"{site}/{path}#{address}" if address else f"{site}/{path}")
+    for name in (name for name, at in PAGES.items() if at == path):
+        page.locator(f"[data-explorer='{name}'] canvas").first.wait_for()
+    return page
+
+
+def assert_alive(page: Page, path: str) -> None:
+    """A key on the first slider of each view, or on its picture, changes what it tells."""
+    for name in (name for name, at in PAGES.items() if at == path):
+        panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
+        target = panel.locator(PICTURES.get(name, "[role=slider]")).first
+        target.scroll_into_view_if_needed()
+        page.wait_for_timeout(200)
+        before = page.evaluate(TOLD, name)
+        for key in ("ArrowLeft",) if name in PICTURES else ("Home", "ArrowRight"):
+            target.press(key)
+            page.wait_for_timeout(50)
+        page.wait_for_function(f"([name, before]) => ({TOLD})(name) !== before", arg=[name, before])
+
+
+def is_always_slow(browser, site, path, errors, address) -> bool:
+    """Whether an address has a long task each time that a page of its own goes there."""
+    for _ in range(TRIES - 1):
+        page = opened(browser, site, path, errors)
+        page.wait_for_timeout(500)
+        page.evaluate("() => { globalThis.tasks.length = 0; }")
+        slow = page.evaluate(VISIT, [address])
+        page.close()
+        if all(ms <= LONGEST for _, ms in slow):
+            return False
+    return True
+
+
+@pytest.mark.parametrize("path", sorted(set(PAGES.values())))
+def test_addresses_that_change(browser, site, errors, path):
+    page = opened(browser, site, path, errors)
+    page.wait_for_timeout(500)
+    given = addresses(path, COUNT)
+    changing = [address for i, address in enumerate(given) if i % BATCH]
+    suspects = []
+    for start in range(0, len(changing), BATCH):
+        suspects += page.evaluate(VISIT, changing[start : start + BATCH])
+        assert errors == []
+        assert_alive(page, path)
+    page.close()
+    slow = [(address, ms) for address, ms in suspects if ms > LONGEST]
+    assert [(a, ms) for a, ms in slow if is_always_slow(browser, site, path, errors, a)] == []
+
+
+@pytest.mark.parametrize("path", sorted(set(PAGES.values())))
+def test_addresses_that_a_page_opens_with(browser, site, errors, path):
+    for address in addresses(path, COUNT)[::BATCH]:
+        for _ in range(TRIES):
+            page = opened(browser, site, path, errors, address)
+            page.wait_for_timeout(200)
+            longest = page.evaluate("() => Math.max(0, ...globalThis.tasks.map(({ duration }) => duration))")
+            assert_alive(page, path)
+            page.close()
+            if longest <= LONGEST:
+                break
+        else:
+            pytest.fail(f"{address}: a task of {longest} ms")
+
+
+def test_what_was_changed_is_said(browser, site, errors):
+    page = opened(browser, site, PAGES["rate-attitude"], errors, "rate-attitude:K_A=1e308,K_R=x,Q=1")
+    said = page.locator("[data-explorer=rate-attitude] output")
+    assert said.inner_text() == (
+        "A shared state was opened. "
+        "K_A from the address is beyond its range −1,000 to 1,000: 1,000 is shown. "
+        "K_R from the address is not a number and is left out. "
+        "Q from the address is not known here and is left out."
+    )
+    page.wait_for_function(
+        """() => {
+             const el = document.querySelector('[data-explorer=rate-attitude]');
+             const { top, bottom } = el.getBoundingClientRect();
+             return top < innerHeight && bottom > 0;
+           }"""
+    )
+    page.get_by_role("button", name="Back to the start").click()
+    page.wait_for_function("() => !location.hash.includes('K_A')")
+    assert said.inner_text() == ""
+    page.close()
+
+
+def test_a_drawing_that_fails_stops_no_later_one(browser, site):
+    page = opened(browser, site, PAGES["coupling"], [])
+    root = page.locator("[data-explorer=coupling]")
+    root.scroll_into_view_if_needed()
+    page.wait_for_timeout(300)
+    page.evaluate(
+        """() => {
+             const draw = CanvasRenderingContext2D.prototype.fillRect;
+             CanvasRenderingContext2D.prototype.fillRect = function (...given) {
+               CanvasRenderingContext2D.prototype.fillRect = draw;
+               throw new Error('no ink');
+             };
+           }"""
+    )
+    slider = page.locator(".live-view", has=root).first.locator("[role=slider]").first
+    slider.press("ArrowRight")
+    page.wait_for_function("() => document.querySelector('[data-explorer=coupling] output').innerText")
+    assert "could not be drawn (no ink)" in root.locator("output").inner_text()
+    before = root.locator("table").first.inner_text()
+    slider.press("ArrowRight")
+    page.wait_for_function(
+        "before => document.querySelector('[data-explorer=coupling] table').innerText !== before", arg=before
+    )
+    assert root.locator("output").inner_text() == ""
+    page.close()
