@@ -27,7 +27,11 @@ PAGES = {
     "dual-actuation": "book/07-dual-actuation.html",
     "station-map": "book/07-dual-actuation.html",
     "comparison": "book/08-conclusions.html",
+    "peak-bound": "book/15-limits-of-performance.html",
+    "greensite": "book/18-another-vehicle.html",
 }
+MORE = {"book/18-another-vehicle.html": 1}
+"""How many views of other systems, which have pages of their own, stand on a page too."""
 WORKBENCHES = ("rate-attitude", "single-sensor", "two-sensor", "dual-actuation")
 BOOSTER, EQUATIONS = rl.swaim_booster(), rl.printed_equations()
 ASCENT = trajectory.swaim_ascent()
@@ -41,6 +45,8 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "dual-actuation": lambda: explorers.dual_actuation_explorer(EQUATIONS),
     "station-map": lambda: explorers.station_map_explorer(EQUATIONS),
     "comparison": lambda: explorers.comparison_explorer(EQUATIONS),
+    "peak-bound": explorers.peak_bound_explorer,
+    "greensite": explorers.greensite_explorer,
 }
 library = cache(lambda name: MAKERS[name]())
 """The view in Python: its parameters, and what the library computes at their values."""

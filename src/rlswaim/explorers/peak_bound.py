@@ -34,7 +34,7 @@ def parameters() -> tuple[Parameter, ...]:
         Parameter("share", "Share of b", "", share, tuple(shares.round(2).tolist())),
         Parameter(
             "bandwidth",
-            "Bandwidth",
+            r"\(\Omega\)",
             "rad/s",
             band,
             tuple(float(f"{w:.2g}") for w in bands),

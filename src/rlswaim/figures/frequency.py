@@ -31,10 +31,10 @@ def draw_bode(gain: Axes, phase: Axes, omega: NDArray, loops: Mapping[str, contr
     """
     for (style, color), (name, loop) in zip(LOOKS, loops.items(), strict=False):
         found = control.frequency_response(loop, omega)
-        size, angle = found.magnitude, np.degrees(np.unwrap(found.phase))
-        angle -= 360 * np.round((angle[0] + 180) / 360)
-        gain.semilogx(omega, 20 * np.log10(size.ravel()), style, color=COLORS[color], label=name)
-        phase.semilogx(omega, angle.ravel(), style, color=COLORS[color])
+        size, angle = found.magnitude.ravel(), np.degrees(np.unwrap(found.phase.ravel()))
+        angle -= 360 * np.round((angle[angle.size // 2] + 180) / 360)  # near -180 deg in the middle
+        gain.semilogx(omega, 20 * np.log10(size), style, color=COLORS[color], label=name)
+        phase.semilogx(omega, angle, style, color=COLORS[color])
     gain.axhline(0.0, color=COLORS["neutral"], lw=0.8)
     phase.axhline(-180.0, color=COLORS["neutral"], lw=0.8)
     gain.set(ylabel="|L| (dB)", xlim=(omega[0], omega[-1]))

@@ -28,7 +28,7 @@ def draw_bounds(ax: Axes, stations: NDArray, bounds: Mapping[str, NDArray]) -> A
     for (style, color), (name, values) in zip(LOOKS, bounds.items(), strict=False):
         ax.semilogy(stations, values, style, color=COLORS[color], label=name)
     ax.axhline(2.0, color=COLORS["corrected"], lw=1.2, ls=(0, (3, 3)), label="2, as is usually asked for")
-    ax.set(xlabel="station (ft)", ylabel="least peak of |S|", xlim=(0, 420))
+    ax.set(xlabel="station (ft)", ylabel="least peak of |S|", xlim=(0, 420), ylim=(1, None))
     ax.legend(fontsize=8)
     return ax
 

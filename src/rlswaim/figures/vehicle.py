@@ -83,9 +83,10 @@ def draw_mode_shapes(ax: Axes, booster: Booster, slopes: bool = False) -> Axes:
         symbol = rf"$\sigma_{number}$" if slopes else rf"$\phi_{number}$"
         at, points = (mode.slope_stations, mode.slopes) if slopes else (mode.stations, mode.deflections)
         curve = mode.slope(x) if slopes else mode.deflection(x)
+        given = "assumed" if "assumed" in mode.name else "printed"
         color = COLORS.get(f"mode {number}", COLORS["actuator"])
         ax.plot(x, curve, style, color=color, label=f"{symbol}, least bending")
-        ax.plot(at, points, marker, color=color, markeredgecolor="black", label=f"{symbol}, printed")
+        ax.plot(at, points, marker, color=color, markeredgecolor="black", label=f"{symbol}, {given}")
     ax.axhline(0, color=COLORS["neutral"], linewidth=0.8)
     ax.set_ylabel(r"slope $\sigma=-d\phi/dl$ (1/ft)" if slopes else r"deflection $\phi$ (ft per ft of $q$)")
     ax.legend(ncols=2, fontsize="small")

@@ -27,7 +27,7 @@ class Cell(NamedTuple):
 
     def __str__(self) -> str:
         """Return verdict and number as a page shows them."""
-        return f"{self.verdict}, {self.number:.3g}{self.unit}"
+        return f"{self.verdict} {self.number:.3g}{self.unit}".replace("-", "−")
 
 
 def unstable_root(step: Step) -> float:
@@ -113,15 +113,13 @@ class Conclusion(NamedTuple):
 
 
 CONCLUSIONS: Mapping[str, Conclusion] = {
-    "diverges": Conclusion("diverges without control (3b)", "03-forward-loop", diverges),
-    "parity": Conclusion(
-        "no stable controller by the angle fed back", "15-limits-of-performance", no_stable_controller
-    ),
-    "IV": Conclusion("no gains of rate and attitude (3a)", "04-rate-and-attitude-feedback", _no_gains("IV")),
-    "V": Conclusion("none with one sensor (6b)", "05-single-sensor", _no_gains("V")),
-    "VI": Conclusion("none with two (6b)", "06-two-sensors", _no_gains("VI")),
-    "modest": Conclusion("a modest jet does it (against 1c)", "07-dual-actuation", design_holds),
-    "VII": Conclusion("or other gains of it", "07-dual-actuation", gains_exist),
+    "diverges": Conclusion("3b: diverges", "03-forward-loop", diverges),
+    "parity": Conclusion("no stable controller", "15-limits-of-performance", no_stable_controller),
+    "IV": Conclusion("3a: IV fails", "04-rate-and-attitude-feedback", _no_gains("IV")),
+    "V": Conclusion("6b: V fails", "05-single-sensor", _no_gains("V")),
+    "VI": Conclusion("6b: VI fails", "06-two-sensors", _no_gains("VI")),
+    "modest": Conclusion("not 1c: a jet does it", "07-dual-actuation", design_holds),
+    "VII": Conclusion("or other gains", "07-dual-actuation", gains_exist),
 }
 
 
