@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.rootlocus.closed_loop import ClosedLoop, RootSets
-from rlswaim.rootlocus.continuation import between, connected, nearly_connected, passes_infinity
+from rlswaim.rootlocus.continuation import between, nearly_connected, surely_connected
 from rlswaim.rootlocus.open_loop import OpenLoop
+from rlswaim.rootlocus.successors import passes_infinity
 
 SCREEN = (800, 600)
 """Size (pixels) of the picture for which gains are chosen."""
@@ -113,4 +114,4 @@ def picture(
         order = np.append(size, sizes).argsort(kind="stable")
         sets = RootSets(*(np.concatenate(parts)[order] for parts in zip(sets, more, strict=True)))
         sets = nearly_connected(closed, sets)
-    return sets.gains, connected(closed, sets).roots
+    return sets.gains, surely_connected(closed, sets).roots

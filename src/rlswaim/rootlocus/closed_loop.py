@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rlswaim.rootlocus.aberth import EPS, MEET, Slopes, aberth, real_and_conjugate, starting_points
 from rlswaim.rootlocus.branches import squared_distances
+from rlswaim.rootlocus.break_aways import BreakAway
 from rlswaim.rootlocus.open_loop import OpenLoop
 
 BLOCK = 20_000
@@ -17,20 +18,37 @@ REPEATED = 6
 
 
 class RootSets(NamedTuple):
-    """Roots (K, n) at gains (K,), and their tangents ds/dk (K, n); a tangent that is not known is 0."""
+    """Roots (K, n) at gains (K,), their tangents ds/dk, 0 where not known, and kinds as `kinds_of` says."""
 
     gains: NDArray
     roots: NDArray
     tangents: NDArray
+    kinds: NDArray
 
     def at(self, which: NDArray | slice) -> "RootSets":
         """Return the sets of which the numbers, or a slice, are given."""
-        return RootSets(self.gains[which], self.roots[which], self.tangents[which])
+        return RootSets(*(part[which] for part in self))
 
     def in_columns(self, order: NDArray) -> "RootSets":
         """Return the sets with their roots in a given ``order`` (K, n)."""
         rows = np.arange(len(order))[:, None]
-        return RootSets(self.gains, self.roots[rows, order], self.tangents[rows, order])
+        return RootSets(self.gains, *(part[rows, order] for part in self[1:]))
+
+
+def kinds_of(roots: NDArray, real: NDArray) -> NDArray:
+    """Return 1 or -1 for complex roots, by their side of the real axis, and 2, 3, ... for real ones in order.
+
+    Parameters
+    ----------
+    roots : ndarray of complex, shape (K, n)
+    real : ndarray of bool, shape (K, n)
+
+    Returns
+    -------
+    ndarray, shape (K, n)
+    """
+    rank = np.where(real, roots.real, np.inf).argsort(axis=1).argsort(axis=1)
+    return np.where(real, 2 + rank, np.sign(roots.imag))
 
 
 class ClosedLoop:
@@ -39,8 +57,8 @@ class ClosedLoop:
     All is scaled: s by ``size``, the mean size of poles and zeros, and the gain accordingly.
     """
 
-    def __init__(self, loop: OpenLoop) -> None:
-        self.loop = loop
+    def __init__(self, loop: OpenLoop, breaks: tuple[BreakAway, ...] = ()) -> None:
+        self.loop, self.breaks = loop, breaks
         points, weights, _ = loop.places
         sizes = np.abs(points[points != 0])
         self.size = float(np.exp(np.log(sizes).mean())) if sizes.size else 1.0
@@ -102,7 +120,13 @@ class ClosedLoop:
     def _first(self, gains: NDArray) -> NDArray:
         """Return approximate scaled roots (n, K) at ``gains`` (K,)."""
         if self.counts.max() <= REPEATED:
-            return self.eigenvalues(gains)
+            found = self.eigenvalues(gains)
+            for gain, point in self.breaks:  # eigenvalues know a double root to half of their digits only
+                for at in np.flatnonzero(gains == gain):
+                    for s in {point / self.size, point.conjugate() / self.size}:
+                        two = np.abs(found[:, at] - s).argsort()[:2]
+                        found[two, at] = s + 1e-9 * max(abs(s), 1e-9) * np.array([-1, 1])
+            return found
         D, N = (np.atleast_1d(np.poly(part)).real[::-1] for part in self.factors)
         N = np.append(N, np.zeros(D.size - N.size)) * self.gain
         return np.stack([starting_points(D + gain * N) for gain in gains], axis=1)
@@ -152,7 +176,7 @@ class ClosedLoop:
                 first = guess[part].T / self.size
             roots, tangents = self._corrected(gains[part], first)
             found[:, part] = self.size * roots.T, tangents.T
-        return RootSets(gains, *found)
+        return RootSets(gains, found[0], found[1], kinds_of(found[0], found[0].imag == 0))
 
     @cached_property
     def _leaving(self) -> NDArray:

@@ -1,13 +1,11 @@
 """Branches: closed-loop roots along the gain, each column one continuous curve."""
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.branches import assigned, in_order, squared_distances
+from rlswaim.rootlocus.branches import in_order
 from rlswaim.rootlocus.closed_loop import ClosedLoop, RootSets
-from rlswaim.rootlocus.open_loop import OpenLoop
+from rlswaim.rootlocus.successors import discs, kinds_at, matched, unsure
 
 ANCHOR = 16
 """Of a long run of gains each sixteenth starts from eigenvalues, and the others from these."""
@@ -72,7 +70,7 @@ def _along(closed: ClosedLoop, gains: NDArray, meetings: NDArray) -> NDArray:
     sets = RootSets(*(np.empty((gains.size, *part.shape[1:]), part.dtype) for part in ends))
     for whole, part, other in zip(sets, ends, inner, strict=True):
         whole[anchor], whole[~anchor] = part, other
-    middle, radius, apart = _discs(ends.at(slice(None, -1)), ends.at(slice(1, None)))
+    middle, radius, apart = discs(ends.at(slice(None, -1)), ends.at(slice(1, None)))
     at = low[:-1]
     kept = apart[at] & (np.abs(sets.roots[:-1] - middle[at]) <= radius[at])
     return connected(closed, sets, np.flatnonzero(~kept.all(axis=1))).roots
@@ -137,7 +135,14 @@ def connected(closed: ClosedLoop, sets: RootSets, which: NDArray | None = None) 
 def nearly_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
     """Return root sets as `connected` does, without a look at what lies between them."""
     before, after = sets.at(slice(None, -1)), sets.at(slice(1, None))
-    return sets.in_columns(in_order(_matched(before, after, _kinds(closed, before, after))))
+    return sets.in_columns(in_order(matched(before, after, kinds_at(closed, before, after))))
+
+
+def surely_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
+    """Return root sets from `nearly_connected` as `connected` does."""
+    before, after = sets.at(slice(None, -1)), sets.at(slice(1, None))
+    at = unsure(closed, before, after, kinds_at(closed, before, after)[0])
+    return connected(closed, sets, at) if at.size else sets
 
 
 def _successors(closed: ClosedLoop, before: RootSets, after: RootSets, levels: int) -> NDArray:
@@ -155,13 +160,10 @@ def _successors(closed: ClosedLoop, before: RootSets, after: RootSets, levels: i
     -------
     ndarray of int, shape (K, n)
     """
-    kinds = _kinds(closed, before, after)
-    step = _matched(before, after, kinds)
+    kinds = kinds_at(closed, before, after)
+    step = matched(before, after, kinds)
     after = after.in_columns(step)
-    width = np.abs(after.gains - before.gains)
-    wide = width > 1e-9 * np.maximum(np.abs(before.gains), np.abs(after.gains))
-    wide &= ~passes_infinity(closed.loop, before.gains, after.gains)
-    at = np.flatnonzero(wide & ~_discs(before, after, kinds[0]).apart.all(axis=1))
+    at = unsure(closed, before, after, kinds[0])
     if not at.size or not levels or (levels < LEVELS and at.size * PIECES > MOST):
         return step
     low, high = before.at(at), after.at(at)
@@ -187,111 +189,3 @@ def _cut(a: NDArray, b: NDArray) -> NDArray:
     up = np.where(np.abs(b) > np.abs(a), part, 1 - part)
     by_logarithm = np.sign(a + b) * least * (large / least) ** up
     return np.where((a * b >= 0) & (large > 2 * small), by_logarithm, a + part * (b - a))
-
-
-def _kinds(closed: ClosedLoop, before: RootSets, after: RootSets) -> list[NDArray]:
-    """Return a number for each root (K, n) at both ends of K intervals: only an equal one can succeed it.
-
-    Where no branches meet on the way, real roots stay real and in order, and complex ones on their
-    side of the real axis.  A double root at one end may be two real ones or a pair.  Where the ends
-    do not tell which, all numbers are equal.
-
-    Parameters
-    ----------
-    closed : ClosedLoop
-    before, after : RootSets
-
-    Returns
-    -------
-    list of ndarray
-        For ``before`` and ``after``.
-    """
-    ends = before, after
-    kinds, doubles = [np.sign(sets.roots.imag) for sets in ends], [sets.tangents == 0 for sets in ends]
-    open_ = doubles[0].any(axis=1) & doubles[1].any(axis=1)
-    unlike = (kinds[0] == 0).sum(axis=1) != (kinds[1] == 0).sum(axis=1)
-    if unlike.any():
-        for kind, double in zip(kinds, doubles, strict=True):
-            turned = double & (unlike & (double.sum(axis=1) == 2))[:, None]
-            sides = 2 * (turned.cumsum(axis=1) % 2) - 1
-            kind[turned] = np.where(kind == 0, sides, 0)[turned]
-        open_ |= (kinds[0] == 0).sum(axis=1) != (kinds[1] == 0).sum(axis=1)
-    open_ |= passes_infinity(closed.loop, before.gains, after.gains)
-    for i, sets in enumerate(ends):
-        real = kinds[i] == 0
-        rank = np.where(real, sets.roots.real, np.inf).argsort(axis=1).argsort(axis=1)
-        kinds[i] = np.where(open_[:, None], 0, np.where(real, 2 + rank, kinds[i]))
-    return kinds
-
-
-def _matched(before: RootSets, after: RootSets, kinds: list[NDArray]) -> NDArray:
-    """Return each root's successor (K, n): the nearest of its kind.
-
-    Parameters
-    ----------
-    before, after : RootSets
-        At the ends of K intervals.
-    kinds : list of ndarray
-        As `_kinds` tells them.
-
-    Returns
-    -------
-    ndarray of int, shape (K, n)
-    """
-    square = squared_distances(before.roots, after.roots)
-    square[kinds[0][:, :, None] != kinds[1][:, None]] = np.inf
-    return assigned(square)
-
-
-class _Discs(NamedTuple):
-    """For each root (K, n) a disc that its way stays in, and whether it is apart from the others' discs."""
-
-    middle: NDArray
-    radius: NDArray
-    apart: NDArray
-
-
-def _discs(before: RootSets, after: RootSets, kinds: NDArray | None = None) -> _Discs:
-    """Return discs around the ways of roots, as wide as their steps and their speeds at either end promise.
-
-    Two roots that meet at an end are apart whatever their discs.
-
-    Parameters
-    ----------
-    before, after : RootSets
-        At the ends of K intervals, the roots in the order of their successors.
-    kinds : ndarray, shape (K, n), optional
-        A disc has to be apart from those of its own kind; by default from all.
-
-    Returns
-    -------
-    _Discs
-    """
-    width, middle = np.abs(after.gains - before.gains), (before.roots + after.roots) / 2
-    promised = width[:, None] * np.maximum(np.abs(before.tangents), np.abs(after.tangents))
-    radius = np.maximum(1.25 * np.abs(after.roots - before.roots), promised)
-    near = squared_distances(middle, middle) <= (radius[:, :, None] + radius[:, None]) ** 2
-    if kinds is not None:
-        near &= kinds[:, :, None] == kinds[:, None]
-    for double in (before.tangents == 0, after.tangents == 0):
-        if double.any():
-            near &= ~(double[:, :, None] & double[:, None])
-    own = np.arange(near.shape[1])
-    near[:, own, own] = False
-    return _Discs(middle, radius, ~near.any(axis=2))
-
-
-def passes_infinity(loop: OpenLoop, a: NDArray, b: NDArray) -> NDArray:
-    """Return whether a root passes infinity between two gains: whether -1/D lies there.
-
-    Parameters
-    ----------
-    loop : OpenLoop
-    a, b : ndarray, shape (K,)
-        The two gains of each interval.
-
-    Returns
-    -------
-    ndarray of bool, shape (K,)
-    """
-    return np.asarray((1 + a * loop.D > 0) != (1 + b * loop.D > 0))

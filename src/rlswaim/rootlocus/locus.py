@@ -136,7 +136,7 @@ def _leaves(locus: "RootLocus", loop: OpenLoop, start: int) -> NDArray:
     if gain == 0:
         return locus.roots[start]
     moving = loop.moving_poles.size
-    way = solve(ClosedLoop(loop), np.array([0.0, gain]), _meetings(locus.break_aways))
+    way = solve(ClosedLoop(loop, locus.break_aways), np.array([0.0, gain]), _meetings(locus.break_aways))
     poles = np.concatenate([way[0], loop.resting])
     column = linear_sum_assignment(np.abs(locus.roots[start, :moving, None] - way[1]))[1]
     return poles[np.append(column, np.arange(moving, poles.size))]
@@ -200,7 +200,8 @@ def root_locus(
         raise ValueError(f"sign in root_locus: got {sign!r}, wanted 1 or -1")
     view = default_axes(loop) if axes is None else _checked_axes(axes)
     limit = checks.positive("tolerance", tolerance, "root_locus")
-    closed, breaks = ClosedLoop(loop), break_aways(loop)
+    breaks = break_aways(loop)
+    closed = ClosedLoop(loop, breaks)
     if gains is None:
         marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crossings(loop)])
         if loop.D:  # a root passes through infinity: go close on either side

@@ -9,8 +9,10 @@ from rlswaim.rootlocus.aberth import EPS
 
 SPREAD = np.array([-8.0, -2.5, -1.0, -0.4, 0.0, 0.4, 1.0, 2.5, 8.0])
 """First points around each place, times its distance from the axis."""
-LEVELS = 60
-"""So often an interval is halved at most: then it is as narrow as its ends' rounding."""
+PARTS = 4
+"""An interval is cut into so many."""
+LEVELS = 30
+"""So often an interval is cut at most: then it is as narrow as its ends' rounding."""
 
 
 class Phases(NamedTuple):
@@ -67,19 +69,19 @@ class _Intervals(NamedTuple):
         """Return some of the intervals."""
         return _Intervals(*(part[..., mask] for part in self))
 
-    def halves(self, phases: Phases) -> "_Intervals":
-        """Return the lower halves, then the upper halves."""
-        middle = (self.low + self.high) / 2
-        at_middle = phases.at(self.which).terms(middle)
-        lower = self._replace(high=middle, at_high=at_middle)
-        upper = self._replace(low=middle, at_low=at_middle)
-        return _Intervals(*(np.concatenate(parts, axis=-1) for parts in zip(lower, upper, strict=True)))
+    def parts(self, phases: Phases) -> "_Intervals":
+        """Return each interval cut evenly: the first parts of all, the second parts of all, and so on."""
+        ends, count = np.linspace(self.low, self.high, PARTS + 1), self.low.size
+        inner = phases.at(np.tile(self.which, PARTS - 1)).terms(ends[1:-1].ravel())
+        terms = np.concatenate([self.at_low, inner, self.at_high], axis=1)
+        which = np.tile(self.which, PARTS)
+        return _Intervals(ends[:-1].ravel(), ends[1:].ravel(), which, terms[:, :-count], terms[:, count:])
 
 
 def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
     """Return for each phase all frequencies within (0, top] where it passes a multiple of pi.
 
-    Intervals are halved until each either can be excluded, because no multiple of pi lies between
+    Intervals are cut until each either can be excluded, because no multiple of pi lies between
     the bounds of the phase, or has a phase that only rises or only falls.  Places where the phase
     touches a multiple of pi and turns back are not returned.
 
@@ -108,7 +110,7 @@ def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
         found.append((*cells.at(passed), np.pi * turns.max(axis=0)[passed]))
         if settled.all():
             break
-        cells = cells.at(~settled).halves(phases)
+        cells = cells.at(~settled).parts(phases)
     if not found:
         return [np.zeros(0) for _ in tops]
     *brackets, target = (np.concatenate(part, axis=-1) for part in zip(*found, strict=True))

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse.csgraph import connected_components
 
 from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
 from rlswaim.rootlocus.exact_polynomials import Exact, exact, refined_roots
@@ -101,9 +100,11 @@ def linked(points: NDArray, reach: NDArray) -> list[list[int]]:
     near = np.abs(points[:, None] - points) <= reach[:, None] + reach
     if near.sum() == points.size:
         return []
-    count, label = connected_components(near)
-    groups = [np.flatnonzero(label == i).tolist() for i in range(count)]
-    return [group for group in groups if len(group) > 1]
+    joined = near @ near
+    while (joined != near).any():
+        near, joined = joined, joined @ joined
+    first = joined.argmax(axis=1)
+    return [np.flatnonzero(first == i).tolist() for i in np.flatnonzero(np.bincount(first) > 1)]
 
 
 def _moved_by_rounding(p: NDArray, s: NDArray) -> NDArray:
