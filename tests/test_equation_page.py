@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rlswaim.edition.ledger import ledger
+from rlswaim.edition.ledger import VERDICTS, ledger
 from rlswaim.edition.tables_as_printed import printed_table
 from rlswaim.source.equations import templates
 from serve import server
@@ -196,7 +196,7 @@ def test_verdicts_differ_by_shape_and_not_by_color_alone(page):
                : line.borderTopWidth, getComputedStyle(el, '::before').content].join(' ');
            })"""
     )
-    assert len(shapes) == len(set(shapes)) == 8
+    assert len(shapes) == len(set(shapes)) == len(VERDICTS)
 
 
 def test_a_wrong_number_stops_the_build(tmp_path):

@@ -91,6 +91,14 @@ def test_the_book_s_helper_glues_and_shows(notebook):
         assert not re.search(r"\bglue\(|\bMarkdown\(|\bto_markdown\(", cell.source), cell.id
 
 
+def test_a_table_in_markdown_is_read_as_myst(notebook):
+    """Else the page shows its bars and dashes as text."""
+    for cell in code_cells(notebook):
+        texts = [output.get("data", {}).get("text/markdown", "") for output in cell.outputs]
+        if any(text.startswith("| ") for text in texts):
+            assert cell.metadata.get("mystnb", {}).get("markdown_format") == "myst", cell.id
+
+
 def test_outputs_hold_nothing_that_changes_by_itself(notebook):
     for cell in code_cells(notebook):
         for output in cell.outputs:
