@@ -167,7 +167,7 @@ def test_the_path_leaves_the_unstable_root_and_makes_a_slow_pair_of_the_origin()
     """
     flight = rl.swaim_booster().flight
     across, along = 32.2 * np.sin(flight.gamma_0), 32.2 * np.cos(flight.gamma_0)
-    found = vehicle_on(EQS, Rung(gravity=across, level=along)).poles()
+    found = vehicle_on(rl.printed_equations(gravity=True), Rung(level=along)).poles()
     powers = np.zeros((5, 5, 3))
     powers[:4, :4] = EQS.matrix
     powers[0, 1, 0] += across

@@ -10,7 +10,7 @@ import pandas as pd
 
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.practice.blocks import delay, gain, second_order
-from rlswaim.practice.ladder import Rung, vehicle_on
+from rlswaim.practice.ladder import Rung, reads_the_whole, vehicle_on
 from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
 from rlswaim.practice.limits import Limits, limits
 from rlswaim.practice.measurements import angle
@@ -50,11 +50,11 @@ def _actuation(rung: Rung) -> control.StateSpace:
 def angle_limits(step: Step) -> Limits:
     """Return the limits of the angle that Sections V to VII feed back, with a rung's hardware.
 
-    With realizable filters it is the whole angle at the gyro, else the rigid body's alone.
+    With filters that can be built it is the whole angle at the gyro, else the rigid body's alone.
     """
     eqs, rung = step
     vehicle = vehicle_on(eqs, rung)
-    gyros = {constants("ladder")["gyro_station"]: 1.0} if rung.low_pass else {}
+    gyros = {constants("ladder")["gyro_station"]: 1.0} if reads_the_whole(rung) else {}
     row = angle(eqs, gyros)
     C = np.array([[row.get(name, 0.0) for name in vehicle.output_labels]])
     B = vehicle.B[:, [vehicle.input_labels.index("delta")]]

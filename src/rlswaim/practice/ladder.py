@@ -41,6 +41,8 @@ class Rung:
     """Delay of the engine's loop and of the jet's (s), by Pade's approximation."""
     low_pass: float = 0.0
     """Corner of a low-pass on the whole angle at the gyro, instead of the rigid angle alone (rad/s)."""
+    notch: float = 0.0
+    """Damping ratio of a notch's poles at each mode's frequency, behind a gyro of the whole angle (1)."""
     high_pass: float = 0.0
     """Corner of a high-pass on the whole displacement, instead of its elastic part alone (rad/s)."""
 
@@ -100,9 +102,25 @@ def _low_pass(omega: float) -> control.StateSpace:
     return second_order([omega**2], [1.0, 2 * constants("ladder")["filter_zeta"] * omega, omega**2])
 
 
+def _notches(eqs: PerturbationEquations, rung: Rung) -> list[control.StateSpace]:
+    """Return a notch at each mode's own frequency; none if the rung has none."""
+    zeta = constants("ladder")["notch_zeta_zeros"]
+    return [
+        second_order(
+            [1.0, 2 * zeta * mode.omega, mode.omega**2], [1.0, 2 * rung.notch * mode.omega, mode.omega**2]
+        )
+        for mode in (eqs.modes if rung.notch else ())
+    ]
+
+
+def reads_the_whole(rung: Rung) -> bool:
+    """Return whether a gyro reads the whole angle on a ``rung``, as it has no ideal filter there."""
+    return bool(rung.low_pass or rung.notch)
+
+
 def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | None) -> list:
     """Return the blocks from the vehicle's states to theta_F."""
-    where = constants("ladder")["gyro_station"] if station is None and rung.low_pass else station
+    where = constants("ladder")["gyro_station"] if station is None and reads_the_whole(rung) else station
     row = {"theta": 1.0, "thetadot": K_R}
     if where is not None:
         for i, mode in enumerate(eqs.modes, start=1):
@@ -111,7 +129,7 @@ def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | N
     own = gain(1.0)
     if rung.gyro:
         own = second_order([rung.gyro**2], [1.0, 2 * zeta * rung.gyro, rung.gyro**2])
-    chain = control.series(own, _low_pass(rung.low_pass))
+    chain = control.series(own, _low_pass(rung.low_pass), *_notches(eqs, rung))
     return [
         gain([list(row.values())], name="gyro", inputs=list(row), outputs="theta_i"),
         control.ss(chain, name="gyro's filters", inputs="theta_i", outputs="theta_F"),

@@ -68,6 +68,7 @@ def hardware() -> dict[str, Rung]:
         "second-order actuator": Rung(actuator=c["actuator_omega"]),
         "gyro dynamics": Rung(gyro=c["gyro_omega"]),
         "20 ms delay": Rung(delay=c["delay"]),
+        "notches": Rung(notch=c["notch_zeta_poles"]),
         "realizable filters": Rung(low_pass=c["low_pass"], high_pass=c["high_pass"]),
     }
 
