@@ -169,16 +169,23 @@ def test_addresses_that_change(browser, site, errors, path):
     assert [(a, ms) for a, ms in slow if is_always_slow(browser, site, path, errors, a)] == []
 
 
+def longest_while_opening(browser, site, path, errors, address) -> float:
+    """Return the longest task (ms) of a page that opens with an address, and is alive then."""
+    page = opened(browser, site, path, errors, address)
+    page.wait_for_timeout(200)
+    longest = page.evaluate("() => Math.max(0, ...globalThis.tasks.map(({ duration }) => duration))")
+    assert_alive(page, path)
+    page.close()
+    return longest
+
+
 @pytest.mark.parametrize("path", sorted(set(PAGES.values())))
 def test_addresses_that_a_page_opens_with(browser, site, errors, path):
+    """To open a page takes its time on a busy machine: so long may a task be with an address too."""
     for address in addresses(path, COUNT)[::BATCH]:
         for _ in range(TRIES):
-            page = opened(browser, site, path, errors, address)
-            page.wait_for_timeout(200)
-            longest = page.evaluate("() => Math.max(0, ...globalThis.tasks.map(({ duration }) => duration))")
-            assert_alive(page, path)
-            page.close()
-            if longest <= LONGEST:
+            longest = longest_while_opening(browser, site, path, errors, address)
+            if longest <= LONGEST or longest <= 1.5 * longest_while_opening(browser, site, path, errors, ""):
                 break
         else:
             pytest.fail(f"{address}: a task of {longest} ms")

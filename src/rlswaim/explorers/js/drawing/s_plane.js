@@ -65,6 +65,8 @@ export function axes(plane) {
   plane.stroke(theme.axis, 1.5);
 }
 
+const APART = 25; // px between numbers beside the plane, where its two scales differ
+
 /**
  * The plane with its numbers, and marks on it.
  * @param {Graphics} g @param {View} view @param {Theme} theme @param {...Layer} marks
@@ -74,7 +76,7 @@ export function sPlane(g, view, theme, ...marks) {
   return new Plane(g, view, theme)
     .clear()
     .layers(ground, unstableHalf)
-    .numbers(step, step)
+    .numbers(step, Math.max(step, stepOf(view.top - view.bottom, view.frame.h, APART)))
     .labels('Re s (1/s)', 'Im s (1/s)')
     .layers(polarGrid(step), dampings, axes, ...marks);
 }
