@@ -216,6 +216,7 @@ def test_factors_and_latex_give_the_loop_back():
     assert factors.as_latex(factors.from_factors(-2.0, [0, 1.5], [-1 + 2j])) == (
         r"\frac{-2\,s(s - 1.5)}{(s + 1 \pm j\,2)}"
     )
+    assert factors.as_latex(factors.from_factors(1.23456, [], [-9.87654])) == r"\frac{1.235\,}{(s + 9.877)}"
     assert factors.as_text([-1 + 2j, -1 - 2j, 0.5]) == "0.5, −1.000 ± j2.000"
 
 

@@ -245,6 +245,7 @@ def conditions():
 
 
 def test_consistent_flight_conditions_are_in_the_air():
+    assert len(conditions()) == 8
     for name, flight in conditions().items():
         in_air = trajectory.dynamic_pressure(flight.h, flight.U)[0]
         assert (in_air == pytest.approx(flight.q_D)) == (name != "printed")
