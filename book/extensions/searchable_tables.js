@@ -10,12 +10,22 @@ const OPTIONS = {
   scrollX: true,
 };
 
+/** What can be scrolled can be reached by the keyboard. @param {HTMLElement} table */
+function reachable(table) {
+  const box = table.closest('.dt-scroll-body');
+  box?.setAttribute('tabindex', '0');
+  box?.setAttribute('role', 'region');
+  box?.setAttribute('aria-label', 'All printed numbers');
+}
+
 /** A plain table stands on paper, whose head repeats on each page. @param {HTMLElement} table */
 function makeSearchable(table) {
   let shown = new DataTable(table, OPTIONS);
+  reachable(table);
   window.addEventListener('beforeprint', () => shown.destroy());
   window.addEventListener('afterprint', () => {
     shown = new DataTable(table, OPTIONS);
+    reachable(table);
   });
 }
 

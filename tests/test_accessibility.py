@@ -1,0 +1,36 @@
+"""No page has a fault that axe calls serious or critical: light, dark and in forced colors, all folds open."""
+
+from pathlib import Path
+
+import pytest
+
+from test_pages import PAGES
+
+ROOT = Path(__file__).parent.parent
+AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
+SCHEMES = {
+    "light": {"color_scheme": "light"},
+    "dark": {"color_scheme": "dark"},
+    "forced": {"color_scheme": "light", "forced_colors": "active"},
+}
+OPENED = """async () => {
+  await window.MathJax?.startup.promise;
+  for (const fold of document.querySelectorAll('details')) fold.open = true;
+}"""
+FAULTS = """async () => {
+  const found = await axe.run(document, { resultTypes: ['violations'] });
+  return found.violations.filter(one => ['serious', 'critical'].includes(one.impact))
+    .flatMap(one => one.nodes.map(node => `${one.id}: ${node.target} ${node.html.slice(0, 100)}`));
+}"""
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("path", PAGES)
+def test_page_has_no_serious_fault(browser, site, path, scheme):
+    context = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True, **SCHEMES[scheme])
+    page = context.new_page()
+    page.goto(f"{site}/{path}", wait_until="networkidle")
+    page.evaluate(OPENED)
+    page.add_script_tag(path=AXE)
+    assert page.evaluate(FAULTS) == []
+    context.close()
