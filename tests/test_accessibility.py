@@ -1,4 +1,4 @@
-"""No page has a fault that axe calls serious or critical: light, dark and in forced colors, all folds open."""
+"""No page has a fault that axe calls serious or critical: light, dark, in forced colors, all folds open."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Mend the names by which a screen reader knows the theme's buttons and folds: they are the words that show."""
+"""Mend the names by which a screen reader knows the theme's buttons and folds: the words that show."""
 
 import re
 from pathlib import Path

@@ -133,13 +133,35 @@ def connected(closed: ClosedLoop, sets: RootSets, which: NDArray | None = None) 
 
 
 def nearly_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
-    """Return root sets as `connected` does, without a look at what lies between them."""
+    """Return root sets as `connected` does, without a look at what lies between them.
+
+    Parameters
+    ----------
+    closed : ClosedLoop
+    sets : RootSets
+        K sets at rising or falling gains, each in any order.
+
+    Returns
+    -------
+    RootSets
+    """
     before, after = sets.at(slice(None, -1)), sets.at(slice(1, None))
     return sets.in_columns(in_order(matched(before, after, kinds_at(closed, before, after))))
 
 
 def surely_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
-    """Return root sets from `nearly_connected` as `connected` does."""
+    """Return root sets from `nearly_connected` as `connected` does.
+
+    Parameters
+    ----------
+    closed : ClosedLoop
+    sets : RootSets
+        K sets at rising or falling gains, as `nearly_connected` returns them.
+
+    Returns
+    -------
+    RootSets
+    """
     before, after = sets.at(slice(None, -1)), sets.at(slice(1, None))
     at = unsure(closed, before, after, kinds_at(closed, before, after)[0])
     return connected(closed, sets, at) if at.size else sets

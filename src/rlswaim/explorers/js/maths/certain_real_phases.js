@@ -9,9 +9,9 @@ const LEAST = 1e-280; // a size that a coefficient may not fall below
 const CLOSE = 1e-6; // the part of an omega^2 by which a root may be off before it is polished
 
 /**
- * The omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) is a multiple of 180 degrees, or
- * null if rounding leaves their number in doubt. N/D is real where Π(s - zeros) Π(s + poles) is, and there the
- * odd part of that polynomial (the even one, if s itself is a factor an odd number of times) is 0.
+ * The omega > 0 at which the phase of Π(j omega - zeros) / Π(j omega - poles) is a multiple of 180 degrees,
+ * or null if rounding leaves their number in doubt. N/D is real where Π(s - zeros) Π(s + poles) is, and there
+ * the odd part of that polynomial (the even one, if s itself is a factor an odd number of times) is 0.
  * @param {Root[]} poles real or in conjugate pairs
  * @param {Root[]} zeros likewise
  * @returns {number[] | null}
@@ -33,8 +33,8 @@ export function certainRealPhases(poles, zeros) {
   return found.includes(0) ? null : found;
 }
 
-// The real polynomial Π(s - zeros) Π(s + poles), the sums of the sizes of its coefficients' terms, and whether
-// s is a factor an odd number of times; without the factors that are real all over the axis.
+// The real polynomial Π(s - zeros) Π(s + poles), the sums of the sizes of its coefficients' terms, and
+// whether s is a factor an odd number of times; without the factors that are real all over the axis.
 /**
  * @param {Root[]} poles
  * @param {Root[]} zeros
@@ -72,8 +72,8 @@ function times(c, factor) {
 
 /**
  * The positive roots of a polynomial, or null if rounding leaves their number in doubt. Around each root lies
- * a disc, and discs that have no point in common hold one root each (Smith's theorem): a real one, if the disc
- * lies about the real axis.
+ * a disc, and discs that have no point in common hold one root each (Smith's theorem): a real one, if the
+ * disc lies about the real axis.
  * @param {Float64Array} c
  * @param {Float64Array} sizes the sums of the sizes of the terms of each coefficient
  * @param {number} rounding the part of the sizes by which a value may be off
@@ -99,8 +99,8 @@ function certainSquares(c, sizes, rounding) {
   return x.filter((v, i) => y[i] === 0 && v > 0);
 }
 
-// The place beside omega at which the phase is a multiple of 180 degrees, by Newton's steps on the factors; 0 if
-// they lead away.
+// The place beside omega at which the phase is a multiple of 180 degrees, by Newton's steps on the factors; 0
+// if they lead away.
 /**
  * @param {Root[]} poles
  * @param {Root[]} zeros

@@ -2,7 +2,7 @@
 import { number } from './numbers.js';
 
 /** @import { Parameter } from '../types.d.ts' */
-/** @typedef {{ value?: number | string, note?: string }} Found a value, none if it makes no sense, and words */
+/** @typedef {{ value?: number | string, note?: string }} Found a value, none without sense, and words */
 
 const LONGEST = 40; // characters of a text from elsewhere that are shown
 

@@ -63,8 +63,8 @@ export class ParameterState {
   }
 
   /**
-   * Takes from an address what makes sense; the rest stays as it is. Returns notes on what was changed or left
-   * out.
+   * Takes from an address what makes sense; the rest stays as it is. Returns notes on what was changed
+   * or left out.
    * @param {Record<string, string>} texts
    */
   fromAddress(texts) {

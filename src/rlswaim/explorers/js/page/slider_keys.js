@@ -8,8 +8,8 @@ const ROUND = [1, 2, 3, 4, 6, 8];
 const WAYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
 /**
- * The places of a slider that its keys step to. Where its own run over decades these are round numbers, some in
- * each decade, which the slider itself need not have; else its own, coarse every tenth.
+ * The places of a slider that its keys step to. Where its own run over decades these are round numbers, some
+ * in each decade, which the slider itself need not have; else its own, coarse every tenth.
  * @param {number[]} grid @param {boolean} coarse
  */
 export function roundPlaces(grid, coarse) {
