@@ -23,7 +23,8 @@ The ratios are python-control's time over ours. Nothing is compiled: an earlier 
 picture's branches in some .5 to 1 ms in place of some 3 to 10 ms, after .4 s at the start of each process
 and 10 s on a machine's first call.
 
-With given gains all solve the same ones. For "picture" each chooses its own, their number is in
+With given gains all solve the same ones, ours without the list of crossings, which is found when first
+asked for. For "picture" each chooses its own, their number is in
 parentheses: ours lie within a quarter pixel of the exact curve, which the tests check, and control's
 default does not. For "quarter pixel" control gets evenly spaced gains (in ln k, over the same span),
 twice as many each time until its polyline is as true, or 8192.

@@ -95,3 +95,32 @@ def test_an_integrator_is_at_the_origin_exactly(sign):
     den = np.polymul(np.polymul([1, 0], [1, 0, 0.1**2]), [1, 0, 1])
     locus = rl.root_locus(control.tf([1], den), sign=sign)
     assert (locus.roots[locus.gains == 0] == 0).sum() == 1
+
+
+def test_the_roots_of_a_break_away_meet_at_its_point():
+    """Amid a pole and two zeros that are near the point, too."""
+    for name in ("section VII", "section IV", "random 8"):
+        locus = rl.root_locus(SYSTEMS[name])
+        for gain, point in locus.break_aways:
+            if gain > 0:
+                apart = np.abs(locus.roots[locus.gains == gain][0] - point)
+                assert np.sort(apart)[1] < 1e-7 * abs(point)
+
+
+def test_the_lists_are_the_same_whichever_gains_are_asked_for(system):
+    """With given gains crossings are found when first asked for."""
+    picture, given = rl.root_locus(system), rl.root_locus(system, [1.0, 2.0])
+    assert given.crossings == picture.crossings
+    assert given.crossings is given.crossings
+    assert given.break_aways == picture.break_aways
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_real_roots_keep_their_order_between_break_aways(sign):
+    """Interlaced poles and zeros: each branch stays between its neighbors, however far apart the gains."""
+    zeros, poles = [-2.0, -4.0, -6.0, -8.0], [-1.0, -3.0, -5.0, -7.0, -9.0]
+    locus = rl.root_locus((zeros, poles, 1.0), sign * np.array([0.0, 1e-3, 1.0, 1e3, 1e6]))
+    assert (locus.roots.imag == 0).all()
+    order = locus.roots[0].real.argsort()
+    assert (np.diff(locus.roots.real[:, order], axis=1) > 0).all()
+    assert (sign * np.diff(locus.roots.real, axis=0) < 0).all()
