@@ -11,6 +11,7 @@ const HELP = [
   ['double click, 0', 'fit the window again'],
   ['Tab', 'from the plane to each pole'],
   ['arrows, Page Up, Page Down', 'on the plane or a pole: step the running parameter'],
+  ['arrows on a slider', 'to the next round number; with Alt by the finest step, with Shift by decades'],
   ['Ctrl + Z, Ctrl + Shift + Z', 'undo, redo'],
 ];
 
