@@ -1,12 +1,14 @@
 """Effectors with limits: against Fourier's integral, linear responses, statics and a bound."""
 
+from dataclasses import replace
+
 import control
 import numpy as np
 import pytest
 
 from rlswaim.practice import designs, nonlinear
 from rlswaim.practice.dispersed import consistent_booster, vehicles, with_gravity
-from rlswaim.practice.hardware import closed_loop, plant
+from rlswaim.practice.hardware import closed_loop, plant, real_hardware
 from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.practice.margins import frequency_response, margins
 from rlswaim.practice.optimal import lqg
@@ -78,3 +80,19 @@ def test_limits_are_kept():
 def test_cycle_of_a_sine():
     t = np.arange(0, 300, 0.01)
     assert nonlinear.cycle_in(t, 3 * np.sin(1.3 * t) + 1) == pytest.approx((3.0, 1.3), rel=0.03)
+
+
+def test_delay_is_a_delay():
+    late = nonlinear.delayed(lambda u, before: 2 * u, 3)
+    found = [late(np.array([k, 1.0]), np.zeros(2))[0] for k in range(1, 7)]
+    assert found == [0, 0, 0, 2, 4, 6]
+
+
+def test_exact_delay_and_pades_agree_on_a_smooth_motion():
+    step = 0.005
+    bare = plant(EQS, READ, replace(real_hardware(), delay=0.0), jet=designs.NOSE)
+    late = nonlinear.delayed(lambda u, before: u, round(real_hardware().delay / step))
+    exact = nonlinear.simulate(bare, MADE, late, {"alpha": 0.01}, 8.0, step)
+    pade = nonlinear.simulate(WHOLE, MADE, lambda u, before: u, {"alpha": 0.01}, 8.0, step)
+    for name in ("alpha", "theta"):
+        assert np.allclose(exact[name], pade[name], atol=0.03 * np.abs(pade[name]).max())

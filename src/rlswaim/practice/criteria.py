@@ -71,7 +71,13 @@ class Criterion:
         return self.value <= self.wanted if self.at_most else self.value >= self.wanted
 
 
-def settling_time(closed_loop: control.StateSpace, band: float, horizon: float = 60.0) -> float:
+STABLE = 1e-7
+"""Largest real part (1/s) that counts as stable, where nothing slower is allowed."""
+
+
+def settling_time(
+    closed_loop: control.StateSpace, band: float, horizon: float = 60.0, allowed: float = STABLE
+) -> float:
     """Return when theta comes to stay within a band about a step of its command (s).
 
     Parameters
@@ -82,13 +88,15 @@ def settling_time(closed_loop: control.StateSpace, band: float, horizon: float =
         Half its width, of the step (1).
     horizon : float
         Time over which it must stay (s).
+    allowed : float
+        Largest real part of a root (1/s).
 
     Returns
     -------
     float
         inf if it is outside at the horizon, or the loop is not stable.
     """
-    if closed_loop.poles().real.max() > 1e-7:
+    if closed_loop.poles().real.max() > allowed:
         return float("inf")
     t = np.linspace(0, horizon, 6001)
     step = closed_loop[closed_loop.output_labels.index("theta"), closed_loop.input_labels.index("theta_c")]
@@ -138,6 +146,7 @@ def evaluate(
     open_loop: control.StateSpace | None = None,
     modes: Mapping[str, float] | None = None,
     want: Wanted | None = None,
+    allowed: float = STABLE,
 ) -> tuple[Criterion, ...]:
     """Return every criterion that a closed loop can be asked.
 
@@ -153,6 +162,8 @@ def evaluate(
         Frequencies (rad/s) of the bending modes by name, to name the margins by.
     want : Wanted, optional
         `wanted` without it.
+    allowed : float
+        Largest real part of a root (1/s) with which the loop counts as stable.
 
     Returns
     -------
@@ -162,15 +173,19 @@ def evaluate(
     """
     want = want or wanted()
     found = [
-        Criterion("settling", settling_time(closed_loop, want.band), want.settling, "s", True),
-        *_gust_criteria(closed_loop, U, want),
+        Criterion(
+            "settling", settling_time(closed_loop, want.band, allowed=allowed), want.settling, "s", True
+        ),
+        *_gust_criteria(closed_loop, U, want, allowed),
     ]
     return (*found, *(_margin_criteria(open_loop, modes or {}, want) if open_loop is not None else ()))
 
 
-def _gust_criteria(closed_loop: control.StateSpace, U: float, want: Wanted) -> list[Criterion]:
+def _gust_criteria(
+    closed_loop: control.StateSpace, U: float, want: Wanted, allowed: float
+) -> list[Criterion]:
     """Return the peaks in the worst gust of each kind."""
-    stable = closed_loop.poles().real.max() < 1e-7
+    stable = closed_loop.poles().real.max() < allowed
     system = with_motion(closed_loop, U)
 
     def peak(output: str) -> float:

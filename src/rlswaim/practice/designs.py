@@ -23,6 +23,7 @@ from rlswaim.practice.loads import SectionLoads, section_loads, with_moments
 from rlswaim.practice.margins import margins
 from rlswaim.practice.optimal import MIDDLE, Wishes, lqg
 from rlswaim.practice.structures import controller, instruments_of
+from rlswaim.practice.synthesis import slowest
 from rlswaim.source.tables import number, read_table
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
@@ -185,7 +186,7 @@ def judged(design: Design, booster: Booster) -> tuple[Criterion, ...]:
     """
     eqs = with_gravity(booster)
     modes = {f"bending {i}": mode.omega for i, mode in enumerate(booster.modes, start=1)}
-    return evaluate(moved(design, booster), eqs.U, design.opened(eqs, "delta_c"), modes)
+    return evaluate(moved(design, booster), eqs.U, design.opened(eqs, "delta_c"), modes, allowed=slowest())
 
 
 def disk_at(design: Design, booster: Booster, command: str) -> float:

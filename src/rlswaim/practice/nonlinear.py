@@ -136,6 +136,24 @@ def limited(bounds: Limits, step: float) -> Effectors:
     return act
 
 
+def delayed(act: Effectors, steps: int) -> Effectors:
+    """Return effectors that do what they should some steps later, for one simulation.
+
+    Parameters
+    ----------
+    act : callable
+    steps : int
+        1 or more.
+    """
+    waiting = [np.zeros(2)] * steps
+
+    def late(commands: NDArray, before: NDArray) -> NDArray:
+        waiting.append(act(commands, waiting[-1]))
+        return waiting.pop(0)
+
+    return late
+
+
 def simulate(
     whole: control.StateSpace,
     made: control.StateSpace,
@@ -162,7 +180,7 @@ def simulate(
     Returns
     -------
     dict of str to ndarray, shape (n,)
-        t, the plant's outputs, and the commands before the effectors.
+        t, the plant's outputs, the commands before the effectors, and what these do ("done delta_c" ...).
     """
     names, n, k = list(whole.output_labels), whole.nstates, made.nstates
     rows = [names.index(name) for name in made.input_labels[1:]]
@@ -181,7 +199,8 @@ def simulate(
         states[i], done[i] = x[:n], u
         x = step_matrix @ np.concatenate([x, u])
     moved = dict(zip(names, (states @ whole.C.T + done @ whole.D[:, 1:].T).T, strict=True))
-    return {"t": t} | moved | dict(zip(made.output_labels, commands.T, strict=True))
+    after = {f"done {name}": value for name, value in zip(made.output_labels, done.T, strict=True)}
+    return {"t": t} | moved | dict(zip(made.output_labels, commands.T, strict=True)) | after
 
 
 def cycle_in(t: NDArray, signal: NDArray) -> tuple[float, float]:
