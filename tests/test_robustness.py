@@ -102,6 +102,11 @@ def test_gain_and_phase_margins_are_those_of_the_disk(name):
         assert single.lower < found.lower
         assert found.upper < single.upper
     assert found.one_down < found.lower
+    size = np.abs(2 * (found.upper - 1) / (found.upper + 1))
+    assert size == pytest.approx(found.disk)
+    assert found.lower * found.upper == pytest.approx(1)
+    turned = np.exp(1j * np.radians(found.phase))
+    assert np.abs(2 * (turned - 1) / (turned + 1)) == pytest.approx(found.disk)
 
 
 def test_simultaneous_margins_want_a_stable_loop():
