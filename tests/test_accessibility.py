@@ -16,6 +16,8 @@ SCHEMES = {
 OPENED = """async () => {
   await window.MathJax?.startup.promise;
   for (const fold of document.querySelectorAll('details')) fold.open = true;
+  await new Promise((done) => setTimeout(done, 100));
+  await Promise.all(document.getAnimations().map((one) => one.finished.catch(() => null)));
 }"""
 FAULTS = """async () => {
   const found = await axe.run(document, { resultTypes: ['violations'] });

@@ -4,7 +4,7 @@ import control
 import numpy as np
 import pytest
 
-from rlswaim.rootlocus.branches import match_roots
+from rlswaim.rootlocus.branches import assigned, squared_distances
 from rlswaim.rootlocus.open_loop import open_loop
 
 
@@ -25,4 +25,4 @@ def test_simple_points_are_known_to_half_a_unit_of_every_coefficient(points):
 def test_where_all_eigenvectors_turn_alike_the_distance_decides(turns):
     """Both roots are nearest to 0.9; the least total distance gives it to 0, and 1.2 to 1."""
     before, after = np.array([[0.0, 1.0]], complex), np.array([[1.2, 0.9]], complex)
-    assert match_roots(before, after, turns).tolist() == [[1, 0]]
+    assert assigned(squared_distances(before, after), turns).tolist() == [[1, 0]]

@@ -55,6 +55,19 @@ def varied(payload=1.0, fins=1.0, omega=1.0, **changes):
     return replace(BOOSTER, surfaces=surfaces, modes=modes, **changes)
 
 
+def moved(payload=False, fins=False):
+    """Return a booster with surfaces at the nodes of the first mode, found where its shape changes sign."""
+    feet = np.arange(0.0, 421.0)
+    shape = BOOSTER.modes[0].deflection(feet)
+    front, rear = (
+        brentq(lambda x: float(BOOSTER.modes[0].deflection(x)), feet[i], feet[i + 1])
+        for i in np.flatnonzero(shape[:-1] * shape[1:] < 0)
+    )
+    at = {"payload": front if payload else None, "fins": rear if fins else None}
+    surfaces = tuple(replace(s, station=at[s.name] or s.station) for s in BOOSTER.surfaces)
+    return replace(BOOSTER, surfaces=surfaces)
+
+
 CURES = {
     "as it is": (varied(), 1.3074),
     "no air (q_D = 0)": (varied(0, 0), 0),  # without lift the air has no other part
@@ -67,6 +80,9 @@ CURES = {
     "fins doubled": (varied(fins=2), 1.2965),
     "both frequencies doubled": (varied(omega=2), 0.6948),
     "both frequencies five times": (varied(omega=5), 0),
+    "payload surface at the first mode's front node": (moved(payload=True), 0),
+    "fins at its rear node": (moved(fins=True), 1.2923),
+    "both surfaces at its nodes": (moved(payload=True, fins=True), 0),
 }
 
 

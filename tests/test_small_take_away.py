@@ -16,6 +16,7 @@ OTHER = {
     "trajectory": {"upright": 5},
     "coupling": {"omega_1": 4.0},
     "station-map": {"sensor": 100},
+    "peak-bound": {"gyro_a": 100},
 }
 
 

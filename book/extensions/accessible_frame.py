@@ -11,6 +11,8 @@ MENDED = (
     (re.compile(r'<summary aria-label="[^"]*">'), "<summary>"),
     # The search button's words are its name.
     (re.compile(r'(<button class="btn search-button-field[^>]*?) aria-label="[^"]*"'), r"\1"),
+    # The list of references has entries of a role of their own, which a list may not have.
+    (re.compile(r'<div role="list" class="citation-list">'), '<div class="citation-list">'),
     # The button of the color mode has a name; its pictures need none.
     (re.compile(r'(<i class="theme-switch[^>]*?) title="[^"]*"'), r"\1"),
 )

@@ -84,7 +84,9 @@ export function panel(name, title, toggled, ...children) {
  * @param {string} kind @param {Record<string, unknown>} attributes @param {...(Node | string)} caption
  */
 export function picture(kind, attributes, ...caption) {
-  const canvas = element('canvas', { role: 'img', 'data-plane': kind, ...attributes });
+  // Until it is drawn and told in words, a picture is called by its caption.
+  const name = caption.map((part) => (typeof part === 'string' ? part : part.textContent)).join('') || kind;
+  const canvas = element('canvas', { role: 'img', 'aria-label': name, 'data-plane': kind, ...attributes });
   return { canvas, figure: element('figure', {}, element('figcaption', {}, ...caption), canvas) };
 }
 
