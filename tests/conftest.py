@@ -12,7 +12,11 @@ from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, Page, Route, sync_playwright
 
 from chromium import FLAGS, NoChromiumError, find_chromium
+from livepage import LivePage, live
+from rlswaim.explorers import Explorer
 from serve import server
+from standin import opened
+from workbench_page import EQUATIONS, VIEWS
 
 ROOT = Path(__file__).parent.parent
 HTML = ROOT / "_build" / "html"
@@ -85,3 +89,31 @@ def visit(browser: Browser, site: str) -> Callable[[str], Iterator[Visit]]:
         context.close()
 
     return opened
+
+
+@pytest.fixture(scope="module")
+def shown(visit, request) -> Iterator[LivePage]:
+    """A live view on its page, shared by the tests of one view."""
+    with live(visit, request.param) as found:
+        yield found
+
+
+@pytest.fixture
+def fresh(shown) -> LivePage:
+    """The view back at its start."""
+    shown.reset()
+    return shown
+
+
+@pytest.fixture(scope="module")
+def explorer() -> Explorer:
+    """The workbench of Section IV."""
+    return VIEWS["IV"](EQUATIONS)
+
+
+@pytest.fixture
+def page(browser: Browser, explorer: Explorer) -> Iterator[Page]:
+    """The workbench of Section IV on a page of its own."""
+    with opened(browser, explorer) as page:
+        page.wait_for_timeout(50)
+        yield page

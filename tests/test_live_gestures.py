@@ -2,29 +2,13 @@
 
 import csv
 import io
-from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-import pytest
 
 from live_tables import assert_rows, every
 from livepage import WORKBENCHES, LivePage, live, poles_of, relative_mismatch
-
-
-@pytest.fixture(scope="module")
-def shown(visit, request) -> Iterator[LivePage]:
-    """A live view on its page, shared by the tests of one view."""
-    with live(visit, request.param) as found:
-        yield found
-
-
-@pytest.fixture
-def fresh(shown) -> LivePage:
-    """The view back at its start."""
-    shown.reset()
-    return shown
 
 
 def handles(found: LivePage) -> np.ndarray:

@@ -1,12 +1,10 @@
 """Each preset of a live view on the built book: its values, its roots, and the printed ones beside them."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
 from live_tables import SLID, TABLES, assert_rows, every
-from livepage import EQUATIONS, WORKBENCHES, LivePage, live, poles_of
+from livepage import EQUATIONS, WORKBENCHES, poles_of
 from rlswaim.explorers import designs
 from rlswaim.explorers.presets import corrected_designs
 from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
@@ -14,20 +12,6 @@ from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
 SECTIONS = dict(zip(WORKBENCHES, ("IV", "V", "VI", "VII"), strict=True))
 REPRODUCED = {"Figure 8", "Figure 11", "Eq. 78", "Eq. 80", "Eq. 82"}
 """Designs whose printed roots are those of their gains; the others' are errata of the report."""
-
-
-@pytest.fixture(scope="module")
-def shown(visit, request) -> Iterator[LivePage]:
-    """A live view on its page, shared by the tests of one view."""
-    with live(visit, request.param) as found:
-        yield found
-
-
-@pytest.fixture
-def fresh(shown) -> LivePage:
-    """The view back at its start."""
-    shown.reset()
-    return shown
 
 
 @every(*SLID)

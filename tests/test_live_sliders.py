@@ -1,26 +1,10 @@
 """Each slider of a live view on the built book: the page shows what the library computes."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
 from live_tables import SLID, TABLES, assert_rows, every
-from livepage import LivePage, live, poles_of
-
-
-@pytest.fixture(scope="module")
-def shown(visit, request) -> Iterator[LivePage]:
-    """A live view on its page, shared by the tests of one view."""
-    with live(visit, request.param) as found:
-        yield found
-
-
-@pytest.fixture
-def fresh(shown) -> LivePage:
-    """The view back at its start."""
-    shown.reset()
-    return shown
+from livepage import poles_of
 
 
 @every(*SLID)

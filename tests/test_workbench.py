@@ -2,36 +2,21 @@
 
 import json
 import statistics
-from collections.abc import Iterator
 from pathlib import Path
 
 import control
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
 
 import rlswaim as rl
-from rlswaim.explorers import Explorer
 from standin import MODEL, model_state, opened, table
-from workbench_page import EQUATIONS, VIEWS, mode_2, one, picture, to_pixels
+from workbench_page import EQUATIONS, mode_2, one, picture, to_pixels
 
 POLICY = (
     "default-src 'none'; script-src 'self' blob:; "
     "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
 )
 SITE = "http://workbench.test/"
-
-
-@pytest.fixture(scope="module")
-def explorer() -> Explorer:
-    return VIEWS["IV"](EQUATIONS)
-
-
-@pytest.fixture
-def page(browser: Browser, explorer: Explorer) -> Iterator[Page]:
-    with opened(browser, explorer) as page:
-        page.wait_for_timeout(50)
-        yield page
 
 
 def test_rehearsing_shows_nothing(browser, explorer):

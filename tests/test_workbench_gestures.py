@@ -1,27 +1,12 @@
 """What a pointer, a finger and a keyboard do to a workbench in the browser."""
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
 import rlswaim as rl
-from rlswaim.explorers import Explorer
 from standin import opened, paired, show, table
-from workbench_page import EQUATIONS, VIEWS, locus, mode_2, one, picture, scale_of, to_pixels
-
-
-@pytest.fixture(scope="module")
-def explorer() -> Explorer:
-    return VIEWS["IV"](EQUATIONS)
-
-
-@pytest.fixture
-def page(browser: Browser, explorer: Explorer) -> Iterator[Page]:
-    with opened(browser, explorer) as page:
-        page.wait_for_timeout(50)
-        yield page
+from workbench_page import EQUATIONS, locus, mode_2, one, picture, scale_of, to_pixels
 
 
 class TestPointer:

@@ -2,29 +2,15 @@
 
 import csv
 import io
-from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
-from rlswaim.explorers import Explorer
 from standin import opened, show, table
-from workbench_page import EQUATIONS, VIEWS, locus, one, picture
-
-
-@pytest.fixture(scope="module")
-def explorer() -> Explorer:
-    return VIEWS["IV"](EQUATIONS)
-
-
-@pytest.fixture
-def page(browser: Browser, explorer: Explorer) -> Iterator[Page]:
-    with opened(browser, explorer) as page:
-        page.wait_for_timeout(50)
-        yield page
+from workbench_page import locus, one, picture
 
 
 class TestAddress:

@@ -177,6 +177,25 @@ def search(
         If the system or the objective is unknown.
     """
     problem = Problem(eqs, system, objective)
+    winner, count = evolved(problem, rounds, people, seed)
+    value = _objective(problem.loops, {name: np.array([x]) for name, x in winner.items()}, objective)
+    return Found(system, objective, winner, float(value[0]), seed, count)
+
+
+def evolved(
+    problem: Problem, rounds: int, people: int, seed: int, start: NDArray | None = None
+) -> tuple[dict[str, float], int]:
+    """Return the best gains of a differential evolution, rounded to nine digits, and how many loops it tried.
+
+    Parameters
+    ----------
+    problem : Problem
+    rounds, people : int
+        Generations, and loops in each for each unknown.
+    seed : int
+    start : ndarray, optional
+        A place to begin with, each unknown from 0 to 1.
+    """
     best = differential_evolution(
         problem.cost,
         [(0.0, 1.0)] * len(problem.sought),
@@ -187,11 +206,9 @@ def search(
         polish=False,
         vectorized=True,
         updating="deferred",
+        x0=start,
     )
-    winner = problem.rounded(best.x)
-    value = _objective(problem.loops, {name: np.array([x]) for name, x in winner.items()}, objective)
-    count = (rounds + 1) * people * len(problem.sought)
-    return Found(system, objective, winner, float(value[0]), seed, count)
+    return problem.rounded(best.x), (rounds + 1) * people * len(problem.sought)
 
 
 def winners() -> tuple[Found, ...]:

@@ -10,10 +10,9 @@ from typing import NamedTuple
 
 import control
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import differential_evolution
 from tqdm import tqdm
 
-from rlswaim.edition.search import Problem, bounds, winners
+from rlswaim.edition.search import Problem, bounds, evolved, winners
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.loops.family import Family
 from rlswaim.practice.ladder import dual_actuation_on, inner_loops_on, rate_attitude_on
@@ -114,23 +113,11 @@ def sought(rung: str, section: str, rounds: int = ROUNDS, people: int = PEOPLE) 
     """
     step, structure = ladder_steps()[rung], STRUCTURES[section]
     problem = OnARung(step, structure)
-    start = {"x0": problem.place(modest_gains())} if section == "VII" else {}
-    found = differential_evolution(
-        problem.cost,
-        [(0.0, 1.0)] * len(problem.sought),
-        seed=SEED,
-        popsize=people,
-        maxiter=rounds,
-        tol=0,
-        polish=False,
-        vectorized=True,
-        updating="deferred",
-        **start,
-    )
-    gains = problem.rounded(found.x)
+    start = problem.place(modest_gains()) if section == "VII" else None
+    gains, count = evolved(problem, rounds, people, SEED, start)
     poles = structure.closed_loop(step, **gains).poles()
     value = float(abscissas(poles[None], apart=True)[0])
-    return Best(rung, section, gains, value, (rounds + 1) * people * len(problem.sought))
+    return Best(rung, section, gains, value, count)
 
 
 def stored() -> dict[tuple[str, str], Best]:
