@@ -59,8 +59,11 @@ export function readAddress(name, hash = inLab() ? '' : location.hash) {
   );
 }
 
-/** Is this explorer the first that the address names? @param {string} name */
-export const isFirstInAddress = (name) => partsOf(location.hash).keys().next().value === name;
+/** Goes to an explorer if it is the first that the address names. @param {Element} el @param {string} name */
+export function goToAddressed(el, name) {
+  if (partsOf(location.hash).keys().next().value !== name) return;
+  (el.closest('.widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
+}
 
 /**
  * The page's address with the explorer's part replaced, or left out if there is nothing to say.

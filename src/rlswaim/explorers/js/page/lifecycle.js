@@ -1,6 +1,6 @@
 // The life of a view on its page: when it is drawn, its theme and size, its undo, its part of the page's
 // address.
-import { isFirstInAddress, nameOf, readAddress, writeAddress } from './address.js';
+import { goToAddressed, nameOf, readAddress, writeAddress } from './address.js';
 import { element, set } from './elements.js';
 import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
@@ -28,10 +28,6 @@ const isNewHere = () => {
   const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
   return entry?.type === 'navigate';
 };
-
-/** @param {Element} el */
-const showOnPage = (el) =>
-  (el.closest('.widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
 
 export class Lifecycle {
   /** @param {HTMLElement} el @param {string} system @param {View} view */
@@ -197,6 +193,6 @@ export class Lifecycle {
     this.view.arrived?.(texts);
     this.notice.opened(notes);
     this.follow();
-    if (shows && isFirstInAddress(this.name)) showOnPage(this.el);
+    if (shows) goToAddressed(this.el, this.name);
   }
 }

@@ -1,5 +1,5 @@
 // Two designs side by side, each on a workbench of its own. The designs are chosen outside, by number.
-import { readAddress, writeAddress } from '../page/address.js';
+import { goToAddressed, readAddress, writeAddress } from '../page/address.js';
 import { leftOut } from '../page/address_values.js';
 import { element } from '../page/elements.js';
 import { Notice } from '../page/notice.js';
@@ -119,10 +119,14 @@ export function render({ model, el }) {
     show();
   };
   for (const key of SIDES) model.on(`change:${key}`, changed);
-  addEventListener('hashchange', arrive);
+  const followLink = () => {
+    arrive();
+    goToAddressed(el, NAME);
+  };
+  addEventListener('hashchange', followLink);
   return () => {
     for (const { bench } of sides) bench.page.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
-    removeEventListener('hashchange', arrive);
+    removeEventListener('hashchange', followLink);
   };
 }
