@@ -60,7 +60,7 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
         "poles": [{"re": pole.real, "im": pole.imag, "branch": name} for pole, name in named_poles(eqs)],
         "actuators": [{"factor": factor, "branch": name} for factor, name in view.system.actuators.items()],
         "branches": {**BRANCHES, **jet, **zeros},
-        "closing": [locus["running"] for locus in view.loci if locus["of"] == "poles"],
+        "locus_gains": [locus["running"] for locus in view.loci if locus["of"] == "poles"],
         "loci": list(view.loci),
         "running": {
             **{n: {"magnitudes": [a, z], "signed": signed} for n, (a, z, signed) in view.gains.items()},
