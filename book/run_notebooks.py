@@ -6,8 +6,12 @@ The build takes the results from the cache.  What fails here, it runs again and 
 import sys
 from pathlib import Path
 
+import yaml
 from jupyter_cache import get_cache
 from jupyter_cache.executors import load_executor
+
+HERE = Path(__file__).parent
+CONFIG = HERE.parent / "_config.yml"
 
 
 def run_missing(folder: str) -> list[str]:
@@ -19,9 +23,10 @@ def run_missing(folder: str) -> list[str]:
         Of the cache.
     """
     cache = get_cache(folder)
-    for path in sorted(Path(__file__).parent.glob("*.ipynb")):
+    for path in sorted(HERE.glob("*.ipynb")):
         cache.add_nb_to_project(str(path))
-    done = load_executor("local-parallel", cache).run_and_cache(timeout=600)
+    limit = yaml.safe_load(CONFIG.read_text(encoding="utf-8"))["execute"]["timeout"]
+    done = load_executor("local-parallel", cache).run_and_cache(timeout=limit)
     return [*done.excepted, *done.errored]
 
 
