@@ -106,7 +106,8 @@ def test_winners_stand_beside_their_bounds(system):
             assert not slow or float(texts[-1]) == pytest.approx(abs(1 / slow), abs=0.51)
         apart = winner.objective.endswith("apart") and texts[-2] != "none"
         largest = max(p.real for p in poles if not (apart and p == slow))
-        ways = [largest, largest, winner.evolution, winner.adaptation]
+        descents = [way for way in (winner.descents, winner.worst) if not np.isnan(way)]
+        ways = [largest, largest, winner.evolution, winner.adaptation, *descents]
         assert [float(text) for text in texts[len(rows) : -2]] == pytest.approx(ways, abs=1.01e-4)
         assert winner.abscissa <= min(winner.evolution, winner.adaptation) + 1e-9
 

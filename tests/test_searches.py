@@ -195,8 +195,12 @@ def test_winner_lies_within_its_bounds(winner):
 def test_winner_holds_two_ways(at):
     """The wired state space, in exact arithmetic, and the determinants, in floats: the same roots."""
     winner, state = WINNERS[at], exact_poles(at)
-    other = roots(closed_loops.polynomial(EQS, winner.system, winner.gains))
-    assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
+    polynomial = closed_loops.polynomial(EQS, winner.system, winner.gains)
+    assert max(polynomial_at(polynomial, pole) for pole in state) < 1e-9
+    apart = np.abs(state[:, None] - state)[~np.eye(state.size, dtype=bool)].min()
+    if apart > 0.01:  # where roots meet, floats give them to their square or fourth root alone
+        other = roots(polynomial)
+        assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
     value = abscissas(state[None], winner.objective.endswith("apart"))[0]
     assert value == pytest.approx(winner.abscissa, abs=1e-4)
     if winner.objective.startswith("pair"):
