@@ -31,7 +31,7 @@ PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -na
 FRAME := _config.yml _toc.yml CITATION.cff $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
-.PHONY: help installed packages ready serve book pdf test fuzz bench searches designs test-oldest test-newest lint scripts notebooks lock clean
+.PHONY: help installed packages ready serve book lab pdf test fuzz bench searches designs test-oldest test-newest lint scripts notebooks lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -55,6 +55,10 @@ pdf: ready ## print the whole book into _build/book.pdf, with an outline and lin
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/jupyter-book build . --builder singlehtml -W -n --keep-going
 	PYTHONPATH=tests $(BIN)/python book/whole_book.py _build/singlehtml _build/book.pdf
+
+lab: installed ## open copies of the notebooks in JupyterLab, where their prose has its numbers
+	$(BIN)/python book/lab_copies.py _build/lab
+	$(BIN)/jupyter lab --LabApp.news_url= --LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate _build/lab
 
 test: ready ## check everything: numbers, notebooks, contracts, and each built page in Chromium
 	@$(BIN)/python tests/chromium.py

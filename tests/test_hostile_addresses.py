@@ -1,7 +1,7 @@
 """Random and hostile addresses of the built pages: no error, no long task, and the views live on.
 
 100 addresses a page with ``make test``, 2,000 with ``make fuzz``; most come by a change of the address, one
-of 25 by a fresh load.  A task over 500 ms counts when it is so in each of four tries: a busy machine may hold
+of 50 by a fresh load.  A task over 500 ms counts when it is so in each of four tries: a busy machine may hold
 up any page once, a state that is slow to draw is slow each time.
 """
 
@@ -16,6 +16,7 @@ from livepage import PAGES, library
 
 COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
 BATCH = 25
+FRESH = 50
 LONGEST = 500  # ms
 TRIES = 4
 SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify")
@@ -158,7 +159,7 @@ def test_addresses_that_change(browser, site, errors, path):
     page = opened(browser, site, path, errors)
     page.wait_for_timeout(500)
     given = addresses(path, COUNT)
-    changing = [address for i, address in enumerate(given) if i % BATCH]
+    changing = [address for i, address in enumerate(given) if i % FRESH]
     suspects = []
     for start in range(0, len(changing), BATCH):
         suspects += page.evaluate(VISIT, changing[start : start + BATCH])
@@ -182,7 +183,7 @@ def longest_while_opening(browser, site, path, errors, address) -> float:
 @pytest.mark.parametrize("path", sorted(set(PAGES.values())))
 def test_addresses_that_a_page_opens_with(browser, site, errors, path):
     """To open a page takes its time on a busy machine: so long may a task be with an address too."""
-    for address in addresses(path, COUNT)[::BATCH]:
+    for address in addresses(path, COUNT)[::FRESH]:
         for _ in range(TRIES):
             longest = longest_while_opening(browser, site, path, errors, address)
             if longest <= LONGEST or longest <= 1.5 * longest_while_opening(browser, site, path, errors, ""):

@@ -5,6 +5,7 @@ import { element, set } from './elements.js';
 import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
 import { roundSteps } from './slider_keys.js';
+import { nameSliders } from './slider_names.js';
 import { onThemeChange, themeOf } from './theme.js';
 import { onUndoKeys, UndoHistory } from './undo.js';
 
@@ -43,6 +44,7 @@ export class Lifecycle {
     this.words = '';
     this.arrived = false;
     this.unkeySliders = () => {};
+    this.unnameSliders = () => {};
     this.notice = new Notice(() => this.reset());
     el.append(this.notice.node);
     el.classList.add('rlswaim-explorer');
@@ -112,6 +114,7 @@ export class Lifecycle {
       unwatch();
       unkey();
       this.unkeySliders();
+      this.unnameSliders();
       removeEventListener('hashchange', address);
       for (const name of watched) model.off(`change:${name}`, changed);
       view.stop?.();
@@ -124,6 +127,7 @@ export class Lifecycle {
       const panel = this.el.closest('.widget-vbox');
       const { own, model } = this.view.state;
       if (panel) this.unkeySliders = roundSteps(panel, own, model);
+      if (panel) this.unnameSliders = nameSliders(panel, own, model);
       this.#readAddress(isNewHere());
       this.history.begin();
     }
