@@ -123,7 +123,8 @@ export class Lifecycle {
       this.arrived = true;
       const panel = this.el.closest('.widget-vbox');
       const { own, model } = this.view.state;
-      if (panel) this.unkeySliders = roundSteps(panel, own, model);
+      const tell = (/** @type {string} */ note) => this.notice.typed(note);
+      if (panel) this.unkeySliders = roundSteps(panel, own, model, tell);
       this.#readAddress(isNewHere());
       this.history.begin();
     }
