@@ -23,7 +23,7 @@ def shown(visit):
         (0.0, "ArrowRight", 1e-4),
         (1e-4, "ArrowLeft", 0.0),
         (-2.0, "ArrowRight", -1.0),
-        (3.0, "Alt+ArrowRight", 3.16),
+        (3.0, "Alt+ArrowRight", 3.2),
     ],
 )
 def test_an_arrow_steps_to_a_round_number(shown, start, keys, wanted):

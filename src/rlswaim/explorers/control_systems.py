@@ -99,8 +99,13 @@ def _source(eqs: PerturbationEquations) -> str:
     return "rl.perturbation_equations(rl.swaim_booster())" if eqs.source == swaim_booster().name else "eqs"
 
 
+def _start(sent: dict[str, Any]) -> dict[str, Any]:
+    """Return the preset that a view opens with: the first that closes the attitude loop."""
+    return next(preset for preset in sent["presets"] if preset["values"]["K_A"])
+
+
 def explorer(view: View, eqs: PerturbationEquations, **values: Value) -> Explorer:
-    """Return the live view of a control system; values not given are those of its first preset.
+    """Return the live view of a control system; values not given are those of its first closed attitude loop.
 
     Parameters
     ----------
@@ -120,7 +125,7 @@ def explorer(view: View, eqs: PerturbationEquations, **values: Value) -> Explore
         view.parameters(eqs),
         sent,
         lambda **under: view.closed_loop(eqs, **under),
-        {**sent["presets"][0]["values"], **values},
+        {**_start(sent)["values"], **values},
     )
 
 
@@ -161,7 +166,7 @@ def single_sensor_explorer(eqs: PerturbationEquations, **values: Value) -> Explo
     ----------
     eqs : PerturbationEquations
     **values : float
-        K_A, K_C, K_R, K_z (rad s/ft) and sensor (ft, whole); what is not given is that of Figure 15.
+        K_A, K_C, K_R, K_z (rad s/ft) and sensor (ft, whole); what is not given is that of Figure 16.
 
     Returns
     -------
@@ -179,7 +184,7 @@ def two_sensor_explorer(eqs: PerturbationEquations, **values: Value) -> Explorer
     eqs : PerturbationEquations
     **values : float
         K_A, K_C, K_R, K_za, K_zb (rad s/ft), sensor_a and sensor_b (ft, whole); what is not given
-        is that of Figure 19.
+        is that of the book's search, as the report closes no attitude loop here.
 
     Returns
     -------
@@ -197,7 +202,7 @@ def dual_actuation_explorer(eqs: PerturbationEquations, **values: Value) -> Expl
     eqs : PerturbationEquations
     **values : float
         K_A, K_C, K_R, kK_z (lb s/ft), K_r, b (1/s), sensor and jet (ft, whole); what is not given
-        is that of Figure 24.
+        is that of Figure 25.
 
     Returns
     -------

@@ -81,7 +81,7 @@ class Parameter:
         return min(range(len(self.grid)), key=lambda i: _distance(self.grid[i], value))
 
     def controls(self, view: anywidget.AnyWidget) -> widgets.Widget:
-        """Return the slider and a box for any value, or the buttons of a choice, joined to the view."""
+        """Return the slider and a box for numbers in its range, or a choice's buttons, joined to the view."""
         choice = isinstance(self.grid[0], str)
         kind = widgets.ToggleButtons if choice else widgets.SelectionSlider
         control = kind(
@@ -96,12 +96,12 @@ class Parameter:
             control.style.button_width = "auto"
             return control
         control.readout, control.layout = False, {"flex": "1 1 12rem", "width": "auto", "min_width": "0"}
-        whole = isinstance(self.grid[0], int)
+        whole, least, most = isinstance(self.grid[0], int), self.grid[0], self.grid[-1]
         box = (widgets.BoundedIntText if whole else widgets.FloatText)(
             value=getattr(view, self.name),
-            tooltip=f"{self.meaning}: any value",
-            layout={"flex": "0 0 auto", "width": "7.6rem"},
-            **({"min": self.grid[0], "max": self.grid[-1]} if whole else {}),
+            tooltip=f"{self.meaning}: {'whole numbers' if whole else 'any value'} from {least:g} to {most:g}",
+            layout={"flex": "0 0 auto", "width": "6.4rem"},
+            **({"min": least, "max": most} if whole else {}),
         )
         widgets.jslink((view, self.name), (box, "value"))
         row = {"width": "100%", "max_width": "46rem", "flex_flow": "row nowrap"}

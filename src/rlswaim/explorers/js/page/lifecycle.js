@@ -126,7 +126,8 @@ export class Lifecycle {
       this.arrived = true;
       const panel = this.el.closest('.widget-vbox');
       const { own, model } = this.view.state;
-      if (panel) this.unkeySliders = roundSteps(panel, own, model);
+      const tell = (/** @type {string} */ note) => this.notice.typed(note);
+      if (panel) this.unkeySliders = roundSteps(panel, own, model, tell);
       if (panel) this.unnameSliders = nameSliders(panel, own, model);
       this.#readAddress(isNewHere());
       this.history.begin();
