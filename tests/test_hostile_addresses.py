@@ -70,7 +70,17 @@ def part(rng: random.Random, name: str) -> str:
     """Return what an address says of one view: its parameters, what it shows, and names that it hasn't."""
     if name == "comparison":
         pairs = {key: rng.choice([str(rng.randrange(-2, 40)), *NUMBERS]) for key in ("left", "right")}
-        return f"{name}:" + ",".join(f"{key}={text}" for key, text in pairs.items())
+        side = f"{rng.choice(['left', 'right'])}-{library(name).left}"
+        return (
+            f"{name}:"
+            + ",".join(f"{k}={v}" for k, v in pairs.items())
+            + f"&{said(rng, 'rate-attitude', side)}"
+        )
+    return said(rng, name, name)
+
+
+def said(rng: random.Random, name: str, by: str) -> str:
+    """Return what an address says of the view with the parameters of ``name``, called ``by`` in it."""
     pairs = {p.name: value(rng, p.grid) for p in library(name).parameters if rng.random() < 0.6}
     for key in SHOWN:
         if rng.random() < 0.15:
@@ -79,7 +89,7 @@ def part(rng: random.Random, name: str) -> str:
         pairs["view.window"] = rng.choice(WINDOWS)
     if rng.random() < 0.2:
         pairs[rng.choice(TEXTS)] = rng.choice(NUMBERS)
-    return f"{name}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())
+    return f"{by}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())
 
 
 def addresses(path: str, count: int) -> list[str]:

@@ -46,7 +46,7 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in view.loci) else {}
     return {
         "system": view.name,
-        "parameters": [{"name": p.name, "grid": p.grid} for p in view.parameters(eqs)],
+        "parameters": [p.told for p in view.parameters(eqs)],
         "terms": [term._asdict() for term in forms.polynomial.terms],
         "numerators": {
             i: {o: [term._asdict() for term in form.terms] for o, form in by_output.items()}

@@ -76,14 +76,11 @@ class LiveView(ScriptedView):
         for p in parameters:
             place = traitlets.Int(p.nearest(start[p.name])).tag(sync=True)
             self.add_traits(**{p.name: Checked(p, start[p.name]).tag(sync=True), f"{p.name}_at": place})
-        known_to_script = [
-            {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
-        ]
         own = [p for p in parameters if beside is None or not beside.has_trait(p.name)]
         given = {
             "view": self.view,
             "system": self.system,
-            "parameters": known_to_script,
+            "parameters": [p.told for p in parameters],
             "own": [p.name for p in own],
         }
         super().__init__(payload={**given, **payload, "initial": start})

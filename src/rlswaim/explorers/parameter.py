@@ -76,6 +76,11 @@ class Parameter:
         """Label and unit."""
         return f"{self.label} ({self.unit})" if self.unit else self.label
 
+    @property
+    def told(self) -> dict[str, Any]:
+        """What the script knows of the parameter."""
+        return {"name": self.name, "grid": self.grid, "unit": self.unit, "meaning": self.meaning}
+
     def nearest(self, value: Value) -> int:
         """Return the place on the grid nearest to a value."""
         return min(range(len(self.grid)), key=lambda i: _distance(self.grid[i], value))

@@ -62,7 +62,7 @@ export function readAddress(name, hash = inLab() ? '' : location.hash) {
 /** Goes to an explorer if it is the first that the address names. @param {Element} el @param {string} name */
 export function goToAddressed(el, name) {
   if (partsOf(location.hash).keys().next().value !== name) return;
-  (el.closest('.widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
+  (el.closest('.bench, .widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
 }
 
 /**

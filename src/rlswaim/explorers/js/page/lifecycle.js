@@ -124,7 +124,8 @@ export class Lifecycle {
   #measure() {
     if (!this.arrived && this.el.isConnected) {
       this.arrived = true;
-      const panel = this.el.closest('.widget-vbox');
+      // A bench that the page alone holds has sliders of its own.
+      const panel = this.el.closest('.bench') ? null : this.el.closest('.widget-vbox');
       const { own, model } = this.view.state;
       const tell = (/** @type {string} */ note) => this.notice.typed(note);
       if (panel) this.unkeySliders = roundSteps(panel, own, model, tell);

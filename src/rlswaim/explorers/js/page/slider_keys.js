@@ -7,7 +7,7 @@ import { valueFrom } from './address_values.js';
 
 const ROUND = [1, 2, 3, 4, 6, 8];
 /** @type {Record<string, number>} */
-const WAYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+export const WAYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
 /**
  * The places of a slider that its keys step to. Where its own run over decades these are round numbers, some

@@ -234,9 +234,10 @@ export class LocusPlane {
    * @param {number} width @param {number} height @param {NamedRoots} closed @param {Pole[]} printed
    */
   #fit(width, height, closed, printed) {
-    const { system, state } = this.bench;
+    const { system, state, shared } = this.bench;
     const near = [namedPoles(system, state.values), closed].flatMap((roots) => withinReach(system, roots));
-    return fitted([...near, ...printed.map(({ re, im }) => [re, im])], width, height);
+    const points = [...near, ...printed.map(({ re, im }) => [re, im])];
+    return fitted(shared?.with(this.bench, points) ?? points, width, height);
   }
 
   /** @param {Values} values @param {What} what */

@@ -29,6 +29,7 @@ import { TakeAway } from './take_away_panel.js';
 import { WorkbenchState } from './workbench_state.js';
 
 /** @import { Context, Model, NamedRoots, Pole, System, Values } from '../types.d.ts' */
+/** @import { SharedWindow } from './shared_window.js' */
 /** @import { Verdict } from '../page/verdict.js' */
 /** @import { Shown } from './workbench_state.js' */
 /** @typedef {Pole & { index: number }} Selected */
@@ -50,8 +51,9 @@ const signsOf = ({ running, maps }) => [
 ];
 
 export class Workbench {
-  /** @param {Model} model @param {HTMLElement} el */
-  constructor(model, el) {
+  /** @param {Model} model @param {HTMLElement} el @param {SharedWindow} [shared] with other workbenches */
+  constructor(model, el, shared) {
+    this.shared = shared;
     this.state = new WorkbenchState(model);
     /** @type {System} */
     this.system = this.state.system;
@@ -152,6 +154,7 @@ export class Workbench {
 
   #end() {
     this.watch.disconnect();
+    this.shared?.leave(this);
     this.plane.stop();
     this.mode.stop();
     this.map.stop();
@@ -206,6 +209,7 @@ export class Workbench {
     this.poles = branches.map((name, i) => ({ re: x[i], im: y[i], name }));
     const [width, height] = page.sizeOf(this.plane.canvas);
     this.plane.draw(width, height, this.closed);
+    this.shared?.drawn(this);
     for (const part of this.parts)
       if (this.isSeen(part)) part.draw(page.sizeOf(part.canvas)[0] || width, this.closed);
     this.#tell(values);

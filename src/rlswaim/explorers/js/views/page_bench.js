@@ -1,0 +1,31 @@
+// A workbench with its sliders that only the page holds: no widget of Python stands behind it.
+import { element } from '../page/elements.js';
+import { PageModel } from '../page/page_model.js';
+import { ParameterRows } from '../page/parameter_rows.js';
+import { Workbench } from './workbench.js';
+
+/** @import { System, Values } from '../types.d.ts' */
+/** @import { SharedWindow } from './shared_window.js' */
+
+export class PageBench {
+  /**
+   * @param {System} payload @param {Values} initial @param {string} name in the address
+   * @param {SharedWindow} [shared]
+   */
+  constructor(payload, initial, name, shared) {
+    this.model = new PageModel({ payload: { ...payload, initial }, magnify: 1, ...initial });
+    this.rows = new ParameterRows(payload.parameters, this.model);
+    const root = element('div', { 'data-name': name }, this.rows.node);
+    this.node = element('div', { class: 'bench' }, root);
+    this.workbench = new Workbench(this.model, root, shared);
+  }
+
+  get name() {
+    return this.workbench.page.name;
+  }
+
+  stop() {
+    this.rows.stop();
+    this.workbench.page.stop();
+  }
+}
