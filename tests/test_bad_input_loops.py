@@ -51,7 +51,8 @@ OF_A_NUMBER = {
     "K_R of a polynomial": lambda eqs, x: closed_loops.polynomial(eqs, "rigid_angle", ATTITUDE | {"K_R": x}),
     "pole of a pair": lambda eqs, x: DUAL_ACTUATION.around(eqs).with_pair(many(), complex(x, 1.0)),
     "K_A of a margin": lambda eqs, x: robustness.margins(eqs, FOUND | {"K_A": x}, "jet"),
-    "alpha_0": conclusions.with_longitudinal,
+    "alpha_0": lambda eqs, x: conclusions.with_longitudinal(eqs, x, 0.75),
+    "gamma_0": lambda eqs, x: conclusions.with_longitudinal(eqs, 0.1, x),
 }
 OF_A_STATION = {
     "sensor of a jet": lambda eqs, x: closures.closure_1_polynomial(eqs, JET._replace(sensor=x), KK_Z),
