@@ -144,6 +144,7 @@ _build/.frame: $(FRAME) _build/.library
 # Only pages changed: those run again. A build with warnings leaves nothing behind that the next could take for good,
 # no result of a notebook either, as a run that wrote a warning would be taken from the cache for ever.
 $(HTML)/.built: $(PAGES) _build/.frame
+	$(BIN)/python book/run_notebooks.py _build/.jupyter_cache 2>/dev/null
 	$(BIN)/jupyter-book build . -W -n --keep-going || { rm -rf $(HTML) _build/.doctrees _build/.jupyter_cache; exit 1; }
 	@touch $@
 
