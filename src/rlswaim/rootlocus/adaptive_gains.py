@@ -97,12 +97,14 @@ def picture(
     lead = np.abs(loop.denominator).max() / np.abs(loop.numerator).max()
     gains = sign * np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
     loop.refuse_infinite(gains)
-    sets, offset = nearly_connected(closed, closed.sets(gains)), lead * DECADES[0]
+    (sets, kinds), offset = nearly_connected(closed, closed.sets(gains)), lead * DECADES[0]
     finer = 1.25
     while sets.gains.size < MOST:
         size, stray = np.abs(sets.gains), _deviation(sets, axes)
         wide = size[1:] - size[:-1] > 1e-9 * (size[1:] + offset)
-        bad = (stray > tolerance) & ~passes_infinity(loop, sets.gains[:-1], sets.gains[1:]) & wide
+        bad = (stray > tolerance) & wide
+        if loop.D:
+            bad &= ~passes_infinity(loop, sets.gains[:-1], sets.gains[1:])
         at = np.flatnonzero(bad)
         if not at.size:
             break
@@ -113,5 +115,5 @@ def picture(
         more = between(closed, sets.at(at[which]), sets.at(at[which] + 1), sign * sizes)
         order = np.append(size, sizes).argsort(kind="stable")
         sets = RootSets(*(np.concatenate(parts)[order] for parts in zip(sets, more, strict=True)))
-        sets = nearly_connected(closed, sets)
-    return sets.gains, surely_connected(closed, sets).roots
+        sets, kinds = nearly_connected(closed, sets)
+    return sets.gains, surely_connected(closed, sets, kinds).roots
