@@ -5,6 +5,7 @@ import { element, set } from './elements.js';
 import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
 import { roundSteps } from './slider_keys.js';
+import { keepInSight } from './slider_rows.js';
 import { onThemeChange, themeOf } from './theme.js';
 import { onUndoKeys, UndoHistory } from './undo.js';
 
@@ -24,7 +25,7 @@ import { onUndoKeys, UndoHistory } from './undo.js';
 const LAG = 160; // ms until what nobody watches follows the picture
 
 /** A page that is loaded again or gone back to keeps its place. */
-const isNewHere = () => {
+export const isNewHere = () => {
   const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
   return entry?.type === 'navigate';
 };
@@ -43,6 +44,7 @@ export class Lifecycle {
     this.words = '';
     this.arrived = false;
     this.unkeySliders = () => {};
+    this.freeSliders = () => {};
     this.notice = new Notice(() => this.reset());
     el.append(this.notice.node);
     el.classList.add('rlswaim-explorer');
@@ -112,6 +114,7 @@ export class Lifecycle {
       unwatch();
       unkey();
       this.unkeySliders();
+      this.freeSliders();
       removeEventListener('hashchange', address);
       for (const name of watched) model.off(`change:${name}`, changed);
       view.stop?.();
@@ -121,14 +124,20 @@ export class Lifecycle {
   #measure() {
     if (!this.arrived && this.el.isConnected) {
       this.arrived = true;
-      const panel = this.el.closest('.widget-vbox');
-      const { own, model } = this.view.state;
-      const tell = (/** @type {string} */ note) => this.notice.typed(note);
-      if (panel) this.unkeySliders = roundSteps(panel, own, model, tell);
+      this.#takeSliders();
       this.#readAddress(isNewHere());
       this.history.begin();
     }
     if (this.view.canvases.map((canvas) => this.#resized(canvas)).some(Boolean)) this.follow();
+  }
+
+  #takeSliders() {
+    const { own, model } = this.view.state;
+    /** @type {HTMLElement} */
+    const panel = this.el.closest('.widget-vbox');
+    if (!panel) return;
+    this.unkeySliders = roundSteps(panel, own, model, (note) => this.notice.typed(note));
+    this.freeSliders = keepInSight(panel);
   }
 
   /**

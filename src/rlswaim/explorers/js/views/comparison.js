@@ -2,6 +2,7 @@
 import { goToAddressed, readAddress, writeAddress } from '../page/address.js';
 import { leftOut } from '../page/address_values.js';
 import { element } from '../page/elements.js';
+import { isNewHere } from '../page/lifecycle.js';
 import { Notice } from '../page/notice.js';
 import { Workbench } from './workbench.js';
 
@@ -114,6 +115,11 @@ export function render({ model, el }) {
   el.append(element('div', { class: 'rlswaim-explorer' }, notice.node), ...sides.map(({ node }) => node));
   arrive();
   show();
+  const laidOut = new ResizeObserver(() => {
+    laidOut.disconnect();
+    if (isNewHere()) goToAddressed(el, NAME);
+  });
+  laidOut.observe(el);
   const changed = () => {
     notice.clear();
     show();
@@ -125,6 +131,7 @@ export function render({ model, el }) {
   };
   addEventListener('hashchange', followLink);
   return () => {
+    laidOut.disconnect();
     for (const { bench } of sides) bench.page.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
     removeEventListener('hashchange', followLink);
