@@ -236,3 +236,17 @@ def test_on_a_telephone_the_pole_table_shows_that_it_scrolls_and_what_each_row_i
         last = table.locator("tbody tr").first
         assert last.locator("td").last.bounding_box()["x"] + 20 < 360
         assert last.locator("th").bounding_box()["x"] == pytest.approx(box.bounding_box()["x"], abs=1)
+
+
+@pytest.mark.parametrize("path", ["notation", "12-agreement", "04-rate-and-attitude-feedback"])
+def test_on_a_telephone_a_wide_table_shows_that_it_scrolls(browser, site, path):
+    page = browser.new_page(viewport={"width": 360, "height": 740})
+    page.goto(f"{site}/book/{path}.html")
+    boxes = page.locator(".pst-scrollable-table-container")
+    wide = [box for box in boxes.all() if box.evaluate("b => b.scrollWidth > b.clientWidth + 1")]
+    assert wide or path != "notation"
+    for box in wide:
+        assert box.evaluate("b => getComputedStyle(b).backgroundImage").count("gradient") == 4
+        grounds = "b => [...b.querySelectorAll('td, th, tr')].map(c => getComputedStyle(c).backgroundColor)"
+        assert set(box.evaluate(grounds)) == {"rgba(0, 0, 0, 0)"}
+    page.close()
