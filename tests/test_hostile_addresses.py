@@ -19,7 +19,7 @@ BATCH = 25
 FRESH = 50
 LONGEST = 500  # ms
 TRIES = 4
-SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify")
+SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify", "desk")
 NUMBERS = ["1e308", "-1e308", "1e155", "1e150", "1e60", "-1e60", "1e400", "Infinity", "-Infinity", "NaN"]
 NUMBERS += ["0", "-0", "1e-320", "-1e-300", "0x10", "1_000", "1,5", "1e", "", " ", "9" * 400, "3.5", "-1"]
 TEXTS = ["%00", "%ZZ", "%E0%A4", "<img src=x onerror=alert(1)>", "%3Cscript%3Ealert(1)%3C/script%3E"]
@@ -27,6 +27,7 @@ TEXTS += ["__proto__", "constructor", "total", "rigid body", "coupling", "K_A", 
 TEXTS += ["'\"`", "\u202e", "=", "a" * 3000]
 WINDOWS = ["1e308_1e308_1e308", "0_0_0", "0_0_-1", "1e308_0_1", "0_0_1e-300", "0_0_1e300", "0_0_1", "1_2_3_4"]
 WINDOWS += ["_", "NaN_0_1", "1e6_1e6_1e-7", "-4_-1_1e5", "0_0_1e-7", "-1e6_0_1e5", "0_1e308_16"]
+DESKS = ["52_57_", "20_80_map.poles", "52_57_map..poles", "99_99_map", "open", "52_57_a" + ".a" * 3000]
 RUBBISH = ["&&::,,==", "%", "fig-8", ":", "comparison:left", "x" * 20000]
 
 VISIT = """async (addresses) => {
@@ -87,6 +88,8 @@ def said(rng: random.Random, name: str, by: str) -> str:
             pairs[f"view.{key}"] = rng.choice([str(rng.randrange(-2, 20)), *NUMBERS, *TEXTS])
     if rng.random() < 0.3:
         pairs["view.window"] = rng.choice(WINDOWS)
+    if rng.random() < 0.1:
+        pairs["view.desk"] = rng.choice(DESKS)
     if rng.random() < 0.2:
         pairs[rng.choice(TEXTS)] = rng.choice(NUMBERS)
     return f"{by}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())
@@ -100,6 +103,7 @@ def addresses(path: str, count: int) -> list[str]:
         "&&::,,==",
         "%",
         "fig-8",
+        "desk",
         ":",
         "comparison:left",
         f"{names[0]}:",
@@ -138,7 +142,8 @@ def opened(browser, site: str, path: str, errors: list[str], address: str = "") 
 
 
 def assert_alive(page: Page, path: str) -> None:
-    """A key on the first slider of each view, or on its picture, changes what it tells."""
+    """Off the desk, a key on the first slider of each view, or on its picture, changes what it tells."""
+    page.keyboard.press("Escape")
     for name in (name for name, at in PAGES.items() if at == path):
         panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
         target = panel.locator(PICTURES.get(name, "[role=slider]")).first

@@ -11,6 +11,7 @@ from rlswaim.explorers.control_systems import (
 )
 from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
 from rlswaim.explorers.greensite import greensite_explorer
+from rlswaim.explorers.moving_loop import MovingLoop, moving_loop
 from rlswaim.explorers.peak_bound import peak_bound_explorer
 from rlswaim.explorers.presets import COMPARED, designs
 from rlswaim.explorers.station_map import station_map_explorer
@@ -21,6 +22,7 @@ __all__ = [
     "COMPARED",
     "Comparison",
     "Explorer",
+    "MovingLoop",
     "MultiAffine",
     "ascent_explorer",
     "bent_vehicle_explorer",
@@ -29,6 +31,7 @@ __all__ = [
     "designs",
     "dual_actuation_explorer",
     "greensite_explorer",
+    "moving_loop",
     "multiaffine_forms",
     "peak_bound_explorer",
     "rate_attitude_explorer",

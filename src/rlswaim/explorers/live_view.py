@@ -36,6 +36,15 @@ class ScriptedView(anywidget.AnyWidget):
         return {**bundle, "image/png": still(*self.drawings()), "text/plain": repr(self)}
 
 
+def _sliders(controls: Sequence[widgets.Widget]) -> list[widgets.Widget]:
+    """Return the box that holds all controls, none without them; the style sheet knows it by its class."""
+    if not controls:
+        return []
+    box = widgets.VBox(controls, layout={"width": "100%"})
+    box.add_class("rlswaim-sliders")
+    return [box]
+
+
 class LiveView(ScriptedView):
     """A view under sliders; it displays itself with them, and each parameter is an attribute.
 
@@ -88,7 +97,9 @@ class LiveView(ScriptedView):
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
             if p not in own:
                 widgets.jslink((beside, p.name), (self, p.name))
-        self.panel = widgets.VBox([*(p.controls(self) for p in own), self], layout={"width": "100%"})
+        self.panel = widgets.VBox(
+            [*_sliders([p.controls(self) for p in own]), self], layout={"width": "100%"}
+        )
 
     def values(self) -> dict[str, Value]:
         """Return the parameters by name."""

@@ -22,7 +22,26 @@ const SHAPES = {
       [0, -1.4, 1.35, -0.4, 0.85, 1.2, -0.85, 1.2, -1.35, -0.4].map((v) => v * r),
     ),
 };
-export const SIGNS = Object.keys(SHAPES);
+/** A motion has one sign in all chapters. @type {Record<string, string>} */
+const SIGNS = {
+  attitude: '■',
+  'short period': '●',
+  'mode 1': '▲',
+  'mode 2': '◆',
+  actuator: '▼',
+  valve: '◀',
+  zero: '▶',
+};
+
+/**
+ * A sign for each name: its own, or one that is left.
+ * @param {string[]} names @returns {Map<string, string>}
+ */
+export function signsOf(names) {
+  const taken = names.map((name) => SIGNS[name]);
+  const left = Object.keys(SHAPES).filter((sign) => !taken.includes(sign));
+  return new Map([...names].sort().map((name) => [name, SIGNS[name] ?? left.shift()]));
+}
 
 /** A polyline. @param {number[][]} points @param {string} color @returns {Layer} */
 export const line =

@@ -3,6 +3,7 @@
 import { goToAddressed, readAddress, writeAddress } from '../page/address.js';
 import { leftOut } from '../page/address_values.js';
 import { element } from '../page/elements.js';
+import { isNewHere } from '../page/lifecycle.js';
 import { Notice } from '../page/notice.js';
 import { PageBench } from './page_bench.js';
 import { SharedWindow } from './shared_window.js';
@@ -82,6 +83,11 @@ export function render({ model, el }) {
   el.append(element('div', { class: 'rlswaim-explorer' }, notice.node), ...sides.map(({ node }) => node));
   arrive();
   show();
+  const laidOut = new ResizeObserver(() => {
+    laidOut.disconnect();
+    if (isNewHere()) goToAddressed(el, NAME);
+  });
+  laidOut.observe(el);
   const changed = () => {
     notice.clear();
     show();
@@ -93,6 +99,7 @@ export function render({ model, el }) {
   };
   addEventListener('hashchange', followLink);
   return () => {
+    laidOut.disconnect();
     for (const { bench } of sides) bench.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
     removeEventListener('hashchange', followLink);

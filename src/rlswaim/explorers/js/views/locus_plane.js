@@ -37,6 +37,7 @@ export class LocusPlane {
     /** @type {HTMLCanvasElement} */
     this.spare = undefined;
     this.ranged = '';
+    this.open = '';
     this.canvas = element('canvas', {
       role: 'application',
       tabindex: '0',
@@ -47,8 +48,9 @@ export class LocusPlane {
     this.poles = new PoleButtons((branch) => this.#open(branch));
     this.title = element('b', {}, 'Root locus');
     this.range = element('span');
-    this.now = element('small');
-    const caption = element('figcaption', {}, element('span', {}, this.title, ', ', this.range), this.now);
+    this.now = { marks: element('span'), name: element('span'), size: element('span'), off: element('span') };
+    const now = element('small', {}, ...Object.values(this.now));
+    const caption = element('figcaption', {}, element('span', {}, this.title, ', ', this.range), now);
     const over = [this.poles.node, this.tip.spot, this.tip.node, this.#tools()];
     this.node = element(
       'figure',
@@ -248,11 +250,15 @@ export class LocusPlane {
     if (this.ranged !== running + range) {
       this.ranged = running + range;
       this.range.replaceChildren(...symbol(running), range);
+      this.now.name.replaceChildren(...symbol(running));
     }
+    set(this.now.marks, `${name && name !== running ? `${name}: ` : ''}filled marks at `);
+    set(this.now.size, ` = ${text(values[running])}`);
     const still = off.filter((other) => other !== running);
-    const open = still.length ? `, with ${still.join(', ')} = 0` : '';
-    const named = name && name !== running ? `${name}: ` : '';
-    set(this.now, `${named}filled marks at ${running} = ${text(values[running])}${open}`);
+    if (this.open === still.join()) return;
+    this.open = still.join();
+    const names = still.flatMap((other, k) => [k ? ', ' : ', with ', ...symbol(other)]);
+    this.now.off.replaceChildren(...names, ...(names.length ? [' = 0'] : []));
   }
 
   /** Words that may lag a little behind the picture. @param {string} words */

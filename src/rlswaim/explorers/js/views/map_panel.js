@@ -65,7 +65,7 @@ export class MapPanel {
   draw(width) {
     this.stop();
     const { system, state, closed } = this.bench;
-    const height = Math.round(Math.min(0.8 * width, 420));
+    const height = this.bench.desk.room(this.canvas) ?? Math.round(Math.min(0.8 * width, 420));
     const { camera } = state.shown;
     const view = camera ? windowOf(camera, width, height) : this.#fit(width, height);
     const steps = poleMapping(system, state.values, closed, view, state.station);

@@ -54,7 +54,7 @@ export class ResponsePanel {
     }
     /** @type {Record<string, Float64Array>} */
     this.found = responses(system, state.values, state.response, this.times);
-    const height = heightOf(width, Object.keys(this.found).length);
+    const height = this.bench.desk.room(this.canvas) ?? heightOf(width, Object.keys(this.found).length);
     if (this.height !== height) {
       this.height = height;
       this.canvas.style.height = `${height}px`;

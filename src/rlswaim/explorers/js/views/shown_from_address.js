@@ -1,6 +1,7 @@
 // What an address says of a workbench beside its parameters: the locus, the window, the panels' choices.
 import { isWindow } from '../drawing/camera.js';
 import { leftOut } from '../page/address_values.js';
+import { deskFrom } from './desk_state.js';
 import { DURATIONS, GUSTS } from './excitations.js';
 
 /** @import { Shown, WorkbenchState } from './workbench_state.js' */
@@ -48,6 +49,7 @@ export function shownFrom(state, texts) {
     take(name, (text) => (text !== '' && isSensible(Number(text)) ? Number(text) : undefined));
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
   take('window', windowFrom);
+  take('desk', deskFrom);
   const { magnify, window, ...shown } = found;
   return { shown: window ? { ...shown, camera: window } : shown, magnify, notes };
 }

@@ -20,6 +20,7 @@ import { crossingWords, marginWords, printedWords } from '../page/locus_words.js
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
+import { Desk } from './desk.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
@@ -82,6 +83,7 @@ export class Workbench {
       later: () => this.#later(),
       arrived: (texts) => {
         if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
+        if ('view.desk' in texts) this.desk.follow();
       },
       stop: () => this.#end(),
     });
@@ -95,16 +97,16 @@ export class Workbench {
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
     const panels = [poles, ...this.parts, this.takeAway].map(({ node }) => node);
-    el.append(
-      this.#presets(),
-      this.#bar(),
-      this.verdictLine.node,
-      this.page.live,
-      this.plane.node,
-      element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed),
-      this.signs,
+    const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
+    const work = element(
+      'div',
+      { class: 'work' },
+      element('div', { class: 'plane' }, this.plane.node, words, this.signs),
       element('div', { class: 'panels' }, ...panels, helpPanel()),
     );
+    this.desk = new Desk(this, el, work);
+    el.append(this.#presets(), this.#bar(), this.verdictLine.node, this.page.live, this.desk.node, work);
+    this.desk.begin();
   }
 
   #presets() {
@@ -136,7 +138,8 @@ export class Workbench {
       this.page.changed();
     });
     const { link, said } = this.takeAway;
-    const steps = element('span', { class: 'steps' }, ...this.page.history.buttons, link, said);
+    const desk = this.page.el.dataset.name ? [] : [this.desk.button]; // two side by side have none
+    const steps = element('span', { class: 'steps' }, ...this.page.history.buttons, link, ...desk, said);
     return element('div', { class: 'bar' }, this.loci.node, this.inset.node, steps);
   }
 
@@ -158,6 +161,7 @@ export class Workbench {
     this.plane.stop();
     this.mode.stop();
     this.map.stop();
+    this.desk.stop();
   }
 
   // What the parts of the workbench ask for.

@@ -1,5 +1,6 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
 import { holds, ParameterState } from '../page/parameter_state.js';
+import { deskText } from './desk_state.js';
 import { excitationsOf } from './excitations.js';
 import { shownFrom } from './shown_from_address.js';
 
@@ -14,7 +15,9 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} input the excitation of the responses, by its place
  * @property {number} duration s
  * @property {number} gust s
+ * @property {DeskState | null} desk how the desk is laid out; null while it is closed
  */
+/** @import { DeskState } from './desk_state.js' */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
 
 /**
@@ -49,6 +52,7 @@ export class WorkbenchState extends ParameterState {
       input: 0,
       duration: 5,
       gust: 2,
+      desk: null,
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -127,19 +131,19 @@ export class WorkbenchState extends ParameterState {
   }
 
   reset() {
-    this.shown = { ...this.start };
+    this.shown = { ...this.start, desk: this.shown.desk };
     this.set({ ...this.system.initial, magnify: this.system.magnify ?? 1 });
   }
 
-  /** The window is no part of a step of the history. */
+  /** The window and the desk are no part of a step of the history. */
   snapshot() {
-    return JSON.stringify([this.values, { ...this.shown, camera: null }, this.magnify]);
+    return JSON.stringify([this.values, { ...this.shown, camera: null, desk: null }, this.magnify]);
   }
 
   /** @param {string} snapshot */
   restore(snapshot) {
     const [values, shown, magnify] = JSON.parse(snapshot);
-    this.shown = { ...shown, camera: this.shown.camera };
+    this.shown = { ...shown, camera: this.shown.camera, desk: this.shown.desk };
     this.set({ ...values, magnify });
   }
 
@@ -149,7 +153,9 @@ export class WorkbenchState extends ParameterState {
     /** @type {Values} */
     const all = holds(this.system.initial, values) ? {} : { ...values };
     for (const name of /** @type {(keyof Shown)[]} */ (Object.keys(start)))
-      if (name !== 'camera' && shown[name] !== start[name]) all[`view.${name}`] = shown[name];
+      if (name !== 'camera' && name !== 'desk' && shown[name] !== start[name])
+        all[`view.${name}`] = shown[name];
+    if (shown.desk) all['view.desk'] = deskText(shown.desk);
     const { camera } = shown;
     if (camera)
       all['view.window'] = [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_');
