@@ -36,7 +36,7 @@ def sent(section: str) -> dict:
     """Return the payload as the browser gets it."""
     view, polynomial = VIEWS[section], forms(section).polynomial
     return {
-        **json.loads(json.dumps(payload(view, EQS, forms(section)))),
+        **json.loads(json.dumps(payload(view, EQS, polynomial))),
         "terms": [term._asdict() for term in polynomial.terms],
         "parameters": [{"name": p.name, "grid": p.grid} for p in view.parameters(EQS)],
     }

@@ -7,6 +7,7 @@ from rlswaim.practice.greensite import greensite
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus, root_locus
 from rlswaim.vehicle.booster import Booster, FlightCondition, Surface, swaim_booster
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations, printed_equations
+from rlswaim.vehicle.other_data import with_other_data
 from rlswaim.vehicle.own_vehicle import read_booster
 
 __all__ = [
@@ -28,4 +29,5 @@ __all__ = [
     "single_sensor",
     "swaim_booster",
     "two_sensor",
+    "with_other_data",
 ]

@@ -1,6 +1,9 @@
 """The live views of Sections IV to VII: what the browser gets of each, and the calls that show them."""
 
+from functools import partial
 from typing import Any
+
+import control
 
 from rlswaim.explorers.parameter import FEET, Value
 from rlswaim.explorers.presets import presets
@@ -10,12 +13,19 @@ from rlswaim.explorers.system_views import (
     SINGLE_SENSOR,
     TWO_SENSOR,
     View,
-    values_at_feet,
+)
+from rlswaim.explorers.vehicle_sliders import (
+    data_parameters,
+    data_values,
+    dispersed_data,
+    nodes,
+    plant,
+    vehicle_at,
 )
 from rlswaim.explorers.workbench import Explorer
 from rlswaim.figures.style import COLORS
 from rlswaim.loops.control_systems import AT_GYRO
-from rlswaim.loops.multiaffine import Forms
+from rlswaim.loops.multiaffine import MultiAffine
 from rlswaim.loops.named_branches import named_poles
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import swaim_booster
@@ -32,26 +42,24 @@ BRANCHES = {
 UNITS = {"alpha": "rad", "theta": "rad", "q1": "ft", "q2": "ft", "delta": "rad", "delta_r": "lb"}
 
 
-def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, Any]:
+def payload(view: View, eqs: PerturbationEquations, polynomial: MultiAffine) -> dict[str, Any]:
     """Return what the browser gets of a control system; the sliders' values are traits of the widget.
+
+    The numerators are not in it: the browser finds them from the matrices in ``plant``.
 
     Parameters
     ----------
     view : View
     eqs : PerturbationEquations
-    forms : Forms
+    polynomial : MultiAffine
         Of the view's system around ``eqs``.
     """
     jet = {"valve": COLORS["jet"]} if "K_r" in view.system.actuators else {}
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in view.loci) else {}
     return {
         "system": view.name,
-        "parameters": [p.told for p in view.parameters(eqs)],
-        "terms": [term._asdict() for term in forms.polynomial.terms],
-        "numerators": {
-            i: {o: [term._asdict() for term in form.terms] for o, form in by_output.items()}
-            for i, by_output in forms.numerators.items()
-        },
+        "parameters": [p.told for p in (*view.parameters(eqs), *data_parameters())],
+        "terms": [term._asdict() for term in polynomial.terms],
         "units": {name: UNITS[name] for name in view.system.outputs},
         "shapes": view.shape_values(eqs),
         "choice": {"name": "feedback", "zero": {"total": [], "rigid body": list(AT_GYRO)}}
@@ -72,6 +80,8 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
         "maps": list(view.system.stations),
         "vehicle": _vehicle(eqs),
         "presets": presets(view.section, eqs, view.loci),
+        "plant": plant(view.system, eqs),
+        "dispersed": dispersed_data(),
         "python": {
             "function": view.system.function.__name__,
             "equations": _source(eqs),
@@ -88,7 +98,7 @@ def _vehicle(eqs: PerturbationEquations) -> dict[str, Any]:
         "thrust": swaim_booster().thrust_station,
         "l_CG": eqs.l_CG,
         "U": eqs.U,
-        **{f"phi_{i + 1}": values_at_feet(eqs, "deflection", i) for i in range(2)},
+        **{f"phi_{i + 1}": nodes(mode) for i, mode in enumerate(eqs.modes)},
     }
 
 
@@ -119,14 +129,20 @@ def explorer(view: View, eqs: PerturbationEquations, **values: Value) -> Explore
     Explorer
     """
     checks.instance("eqs", eqs, PerturbationEquations, f"{view.name} explorer")
-    sent = payload(view, eqs, view.system.forms(eqs))
+    sent = payload(view, eqs, view.system.polynomial(eqs))
     return Explorer(
         view.name,
-        view.parameters(eqs),
+        (*view.parameters(eqs), *data_parameters()),
         sent,
-        lambda **under: view.closed_loop(eqs, **under),
-        {**_start(sent)["values"], **values},
+        partial(_closed_loop, view, eqs),
+        {**_start(sent)["values"], **data_values(eqs), **values},
     )
+
+
+def _closed_loop(view: View, eqs: PerturbationEquations, **values: Any) -> control.StateSpace:
+    """Return the closed loop at all of a view's sliders, the vehicle's among them."""
+    vehicle = vehicle_at(eqs, values)
+    return view.closed_loop(vehicle, **values)
 
 
 def rate_attitude_explorer(eqs: PerturbationEquations, **values: Value) -> Explorer:

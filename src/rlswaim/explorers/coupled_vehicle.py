@@ -6,8 +6,7 @@ surfaces.  Python sends both tables, the browser multiplies out.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import lru_cache, partial
+from functools import partial
 
 import control
 import numpy as np
@@ -23,7 +22,7 @@ from rlswaim.rootlocus.locus import parameter_locus
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import perturbation_equations
-from rlswaim.vehicle.modes import BendingMode
+from rlswaim.vehicle.other_data import own_data, with_data
 
 COLORS_OF = {"attitude": "neutral", "short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2"}
 
@@ -44,28 +43,14 @@ def vehicle(
     -------
     control.StateSpace
     """
-    modes = tuple(_tuned(m, omega) for m, omega in zip(booster.modes, (omega_1, omega_2), strict=True))
-    moved = tuple(
-        replace(s, C_Nalpha=surfaces[f"C_{s.name}"], station=surfaces[f"l_{s.name}"])
-        for s in booster.surfaces
-    )
-    flight = replace(booster.flight, q_D=q_D)
-    return perturbation_equations(replace(booster, modes=modes, surfaces=moved, flight=flight)).state_space()
-
-
-@lru_cache(maxsize=512)
-def _tuned(mode: BendingMode, omega: float) -> BendingMode:
-    """Return the mode at another frequency (rad/s); kept, since its curve is costly."""
-    return replace(mode, omega=omega)
+    data = {"omega_1": omega_1, "omega_2": omega_2, "q_D": q_D, **surfaces}
+    return perturbation_equations(with_data(booster, **data)).state_space()
 
 
 def own_values(booster: Booster) -> dict[str, Value]:
     """Return the vehicle's own values of the sliders."""
-    values: dict[str, Value] = {f"omega_{i}": m.omega for i, m in enumerate(booster.modes, start=1)}
-    values["q_D"] = booster.flight.q_D
-    for s in booster.surfaces:
-        values |= {f"C_{s.name}": s.C_Nalpha, f"l_{s.name}": int(s.station)}
-    return values
+    own = own_data(booster)
+    return {name: int(value) if name.startswith("l_") else value for name, value in own.items()}
 
 
 def parameters(booster: Booster) -> tuple[Parameter, ...]:

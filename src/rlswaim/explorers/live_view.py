@@ -97,15 +97,16 @@ class LiveView(ScriptedView):
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
             if p not in own:
                 widgets.jslink((beside, p.name), (self, p.name))
-        self.panel = widgets.VBox(
-            [*_sliders([p.controls(self) for p in own]), self], layout={"width": "100%"}
-        )
+        controls = _sliders([p.controls(self) for p in own if not p.folded])
+        self.panel = widgets.VBox([*controls, self], layout={"width": "100%"})
 
     def values(self) -> dict[str, Value]:
         """Return the parameters by name."""
         return {p.name: getattr(self, p.name) for p in self.parameters}
 
     def __repr__(self) -> str:
-        """Return view and values in one line."""
-        shown = ", ".join(f"{name} = {value}" for name, value in self.values().items())
+        """Return view and values in one line; folded ones where they are not at their start."""
+        start, values = self.payload["initial"], self.values()
+        told = [p.name for p in self.parameters if not p.folded or values[p.name] != start[p.name]]
+        shown = ", ".join(f"{name} = {values[name]}" for name in told)
         return f"{self.system} explorer: {shown}"

@@ -29,7 +29,7 @@ class MovingLoop(ScriptedView):
 
     def __init__(self, eqs: PerturbationEquations) -> None:
         checks.instance("eqs", eqs, PerturbationEquations, "moving loop")
-        whole = payload(RATE_ATTITUDE, eqs, RATE_ATTITUDE.system.forms(eqs))
+        whole = payload(RATE_ATTITUDE, eqs, RATE_ATTITUDE.system.polynomial(eqs))
         self._eqs, self._values = eqs, whole["presets"][0]["values"]
         own = {"view": "moving-loop", "system": "moving-loop", "workbench": RATE_ATTITUDE.name, "page": PAGE}
         super().__init__(

@@ -62,6 +62,8 @@ class Parameter:
         The slider's places, in order; texts make it a choice.
     check : callable
         Takes name, value and place; returns the value or raises.
+    folded : bool
+        Whether the view itself makes the slider, folded away, and not the widget beside it.
     """
 
     name: str
@@ -70,6 +72,7 @@ class Parameter:
     meaning: str
     grid: tuple[Value, ...]
     check: Callable[[str, object, str], Value] = checks.real
+    folded: bool = False
 
     @property
     def description(self) -> str:

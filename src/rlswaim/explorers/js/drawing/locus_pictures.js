@@ -1,16 +1,17 @@
 // The two pictures of the s plane: the root locus, and the map of the poles over a station.
 import { branches, crosses, crossing, directions, poles } from './locus_marks.js';
-import { dot, label, plus, ring } from './marks.js';
+import { dot, label, plus, ring, specks } from './marks.js';
 import { originInset, sPlane } from './s_plane.js';
 
-/** @import { Graphics, Locus, NamedRoots, Point, Pole, Theme, View } from '../types.d.ts' */
+/** @import { Graphics, Locus, NamedRoots, Point, Pole, Roots, Theme, View } from '../types.d.ts' */
 /** @import { Layer } from './plane.js' */
 /**
- * @typedef {{ printed: Pole[], selected: Pole, inset: { view: View, locus: Locus, magnify: number } }} Extra
+ * @typedef {{ printed: Pole[], selected: Pole, inset: { view: View, locus: Locus, magnify: number },
+ *   cloud?: Roots[] }} Extra cloud: the poles of dispersed vehicles
  */
 
 /** @param {Locus} locus @param {Theme} theme @param {Extra} extra @returns {Layer[]} */
-function marksOf(locus, theme, { printed, selected }) {
+function marksOf(locus, theme, { printed, selected, cloud = [] }) {
   const names = locus.open.branches;
   return [
     branches(locus.branches, names),
@@ -20,6 +21,7 @@ function marksOf(locus, theme, { printed, selected }) {
       ring(x, Math.abs(locus.zeros.y[i]), 5, 1.6, { inside: theme.plane }),
     ),
     crosses(locus.open),
+    specks(cloud),
     ...locus.crossings.map(crossing),
     poles(locus.present, names),
     ...printed.map(({ re, im }) => plus(re, Math.abs(im), 8)),

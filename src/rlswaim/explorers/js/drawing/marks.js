@@ -1,7 +1,7 @@
 // Marks on a plane: lines, shapes, crosses, rings, arrows. Each is a layer.
 import { polygon } from './context.js';
 
-/** @import { Graphics } from '../types.d.ts' */
+/** @import { Graphics, Roots } from '../types.d.ts' */
 /** @import { Layer, Plane } from './plane.js' */
 
 /**
@@ -173,3 +173,17 @@ export const arrow =
     g.fillStyle = color;
     g.fill();
   };
+
+/** Many roots as small squares, those above the axis and on it. @param {Roots[]} all @returns {Layer} */
+export const specks = (all) => (plane) => {
+  const { g, view, theme } = plane;
+  g.beginPath();
+  for (const { x, y } of all)
+    for (let i = 0; i < x.length; i++) {
+      if (y[i] < 0) continue;
+      const [px, py] = [view.X(x[i]), view.Y(y[i])];
+      if (view.holds(px, py)) g.rect(px - 1, py - 1, 2, 2);
+    }
+  g.fillStyle = theme.muted;
+  g.fill();
+};

@@ -1,5 +1,6 @@
 // Responses in time from partial fractions of the numerators that Python sends: nothing here knows any
 // physics.
+import { numeratorsOf } from './changed_vehicle.js';
 import { closedLoopPoles } from './closed_loop.js';
 import { EPS, evaluate, meanOf } from './polynomials.js';
 import { factorsOf, polynomial } from './terms.js';
@@ -107,7 +108,7 @@ const MOTIONS = {
  */
 export function responses(system, state, { input, kind, amplitude, duration }, times) {
   const factors = factorsOf(system, state);
-  const outputs = Object.entries(system.numerators[input]).map(([name, terms]) => ({
+  const outputs = Object.entries(numeratorsOf(system, state, input)).map(([name, terms]) => ({
     name,
     N: polynomial(terms, factors),
     sum: new Float64Array(times.length),

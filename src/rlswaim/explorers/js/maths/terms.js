@@ -10,7 +10,8 @@
  *   choice?: { name: string, zero: Record<string, string[]> }, closing: string[], maps: string[],
  *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
- *   running: Record<string, any>, vehicle: Record<string, any> }} System
+ *   running: Record<string, any>, vehicle: Record<string, any>,
+ *   plant?: import('./vehicle_data.js').Plant, base?: any }} System
  */
 
 /**
@@ -48,6 +49,10 @@ export function along(values, station) {
   const left = Math.min(Math.floor(at), last - 1);
   return values[left] + (at - left) * (values[left + 1] - values[left]);
 }
+
+/** What excites a system. @param {System} system @returns {string[]} */
+export const inputsOf = ({ plant, numerators }) =>
+  numerators ? Object.keys(numerators) : [...plant.inputs, ...plant.initial.map((name) => `${name}(0)`)];
 
 /** @param {Term[]} terms */
 export const longest = (terms) => terms.reduce((most, term) => Math.max(most, term.coefficients.length), 1);

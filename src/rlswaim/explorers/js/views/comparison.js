@@ -28,14 +28,14 @@ class Side {
   }
 
   show() {
-    const { systems, designs } = this.model.get('payload');
+    const { shared, systems, designs } = this.model.get('payload');
     const at = this.model.get(this.key);
     if (at === this.at || !designs[at]) return;
     if (this.bench) {
       this.bench.stop();
       writeAddress(this.bench.name, {}); // what was looked at goes with the design
     }
-    const payload = systems[designs[at].system];
+    const payload = { ...shared, ...systems[designs[at].system] };
     const initial = payload.presets[designs[at].preset].values;
     this.bench = new PageBench(payload, initial, `${this.key}-${at}`, this.shared);
     this.root.replaceWith(this.bench.node);

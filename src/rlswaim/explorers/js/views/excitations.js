@@ -1,4 +1,6 @@
 // What a loop can be excited with, and the choices of a response's length.
+import { inputsOf } from '../maths/terms.js';
+
 /** @import { System } from '../types.d.ts' */
 /** @typedef {{ input: string, kind: string, amplitude: number, text: string }} Excitation */
 
@@ -23,4 +25,4 @@ function excitationOf(input) {
 }
 
 /** @param {System} system */
-export const excitationsOf = ({ numerators }) => Object.keys(numerators).map(excitationOf);
+export const excitationsOf = (system) => inputsOf(system).map(excitationOf);

@@ -208,7 +208,8 @@ export class LocusPlane {
     }
     /** @type {Extra} */
     this.extra = {
-      printed: state.isDesign(printed) ? roots : [],
+      printed: state.isDesign(printed) && state.isOwnVehicle ? roots : [],
+      cloud: this.bench.vehicle.cloud.points,
       selected: this.bench.selected(closed),
       inset: this.inset,
     };

@@ -13,8 +13,11 @@ export class PageBench {
    * @param {SharedWindow} [shared]
    */
   constructor(payload, initial, name, shared) {
-    this.model = new PageModel({ payload: { ...payload, initial }, magnify: 1, ...initial });
-    this.rows = new ParameterRows(payload.parameters, this.model);
+    const { parameters, plant } = payload;
+    const start = { ...plant.own, ...initial };
+    this.model = new PageModel({ payload: { ...payload, initial: start }, magnify: 1, ...start });
+    const gains = parameters.filter((parameter) => !plant.parameters.includes(parameter.name));
+    this.rows = new ParameterRows(gains, this.model);
     const root = element('div', { 'data-name': name }, this.rows.node);
     this.node = element('div', { class: 'bench' }, root);
     this.workbench = new Workbench(this.model, root, shared);

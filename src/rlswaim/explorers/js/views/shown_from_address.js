@@ -17,12 +17,13 @@ const placesFrom = (first, end) => (/** @type {number} */ at) =>
  * @param {WorkbenchState} state
  * @returns {Record<string, (value: number) => boolean>}
  */
-const sensible = ({ system, inputs }) => ({
+const sensible = ({ base: system, inputs }) => ({
   map: placesFrom(0, system.maps.length),
   input: placesFrom(0, inputs.length),
   printed: placesFrom(-1, system.presets.length),
   mode: placesFrom(0, system.poles.length + system.actuators.length),
   duration: (value) => DURATIONS.includes(value),
+  cloud: placesFrom(0, 2),
   gust: (value) => GUSTS.includes(value),
   magnify: (value) => value >= 1 && value <= LARGEST,
 });

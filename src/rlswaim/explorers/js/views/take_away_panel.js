@@ -37,7 +37,7 @@ export class TakeAway {
 
   /** @param {string} what */
   #fileName(what) {
-    return fileName(this.bench.system.system, this.bench.state.values, what);
+    return fileName(this.bench.system.system, this.bench.state.told, what);
   }
 
   #savePoles() {

@@ -27,6 +27,7 @@ import { MapPanel } from './map_panel.js';
 import { ModePanel } from './mode_panel.js';
 import { ResponsePanel } from './response_panel.js';
 import { TakeAway } from './take_away_panel.js';
+import { VehiclePanel } from './vehicle_panel.js';
 import { WorkbenchState } from './workbench_state.js';
 
 /** @import { Context, Model, NamedRoots, Pole, System, Values } from '../types.d.ts' */
@@ -56,11 +57,10 @@ export class Workbench {
   constructor(model, el, shared) {
     this.shared = shared;
     this.state = new WorkbenchState(model);
-    /** @type {System} */
-    this.system = this.state.system;
     this.plane = new LocusPlane(this);
     this.map = new MapPanel(this);
     this.responses = new ResponsePanel(this);
+    this.vehicle = new VehiclePanel(this);
     this.mode = new ModePanel(this);
     this.takeAway = new TakeAway(this);
     this.verdictLine = new VerdictLine();
@@ -91,12 +91,17 @@ export class Workbench {
     this.#watch();
   }
 
+  /** The system around the vehicle under the sliders. @returns {System} */
+  get system() {
+    return this.state.system;
+  }
+
   /** @param {HTMLElement} el */
   #build(el) {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
-    const panels = [poles, ...this.parts, this.takeAway].map(({ node }) => node);
+    const panels = [poles, this.vehicle, ...this.parts, this.takeAway].map(({ node }) => node);
     const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
     const work = element(
       'div',
@@ -162,6 +167,7 @@ export class Workbench {
     this.mode.stop();
     this.map.stop();
     this.desk.stop();
+    this.vehicle.stop();
   }
 
   // What the parts of the workbench ask for.
@@ -216,6 +222,7 @@ export class Workbench {
     this.shared?.drawn(this);
     for (const part of this.parts)
       if (this.isSeen(part)) part.draw(page.sizeOf(part.canvas)[0] || width, this.closed);
+    this.vehicle.draw();
     this.#tell(values);
     rehearse(system, values, (other) => this.plane.rehearse(other));
     return this.verdict.short;

@@ -1,4 +1,6 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
+import { systemAt } from '../maths/changed_vehicle.js';
+import { isOwnVehicle } from '../maths/vehicle_data.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
 import { deskText } from './desk_state.js';
 import { excitationsOf } from './excitations.js';
@@ -16,6 +18,7 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} duration s
  * @property {number} gust s
  * @property {DeskState | null} desk how the desk is laid out; null while it is closed
+ * @property {number} cloud 1: with the poles of dispersed vehicles
  */
 /** @import { DeskState } from './desk_state.js' */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
@@ -41,7 +44,7 @@ export class WorkbenchState extends ParameterState {
     super(model);
     /** @type {System} */
     const system = model.get('payload');
-    this.system = system;
+    this.base = system;
     this.loci = lociOf(system);
     this.inputs = excitationsOf(system);
     const fresh = system.presets.findIndex((preset) => holds(preset.values, system.initial));
@@ -53,6 +56,7 @@ export class WorkbenchState extends ParameterState {
       duration: 5,
       gust: 2,
       desk: null,
+      cloud: 0,
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -60,6 +64,26 @@ export class WorkbenchState extends ParameterState {
       ),
     };
     this.shown = { ...this.start };
+  }
+
+  /** The system around the vehicle of the parameters. @returns {System} */
+  get system() {
+    const { base } = this;
+    return base.plant ? systemAt(base, this.values) : base;
+  }
+
+  /** Is the vehicle under the loop the one that Python sent the system for? */
+  get isOwnVehicle() {
+    const { plant } = this.base;
+    return !plant || isOwnVehicle(plant, this.values);
+  }
+
+  /** The parameters without those of the vehicle that are as they were. @returns {Values} */
+  get told() {
+    const { plant } = this.base;
+    const names = this.own.map(({ name }) => name);
+    const told = names.filter((name) => !plant || plant.own[name] !== this.model.get(name));
+    return Object.fromEntries(told.map((name) => [name, this.model.get(name)]));
   }
 
   get watched() {
@@ -73,7 +97,7 @@ export class WorkbenchState extends ParameterState {
 
   /** @param {number} preset */
   locusOf(preset) {
-    return this.loci[this.system.presets[preset].locus ?? 0].key;
+    return this.loci[this.base.presets[preset].locus ?? 0].key;
   }
 
   get what() {
@@ -82,7 +106,7 @@ export class WorkbenchState extends ParameterState {
 
   /** The station that runs in the pole map. @returns {string} */
   get station() {
-    return this.system.maps[this.shown.map];
+    return this.base.maps[this.shown.map];
   }
 
   get response() {
@@ -99,7 +123,7 @@ export class WorkbenchState extends ParameterState {
     const { printed } = this.shown;
     const { values } = this;
     /** @param {number} i */
-    const at = (i) => holds(this.system.presets[i].values, values);
+    const at = (i) => holds(this.base.presets[i].values, values);
     return preset >= 0 && at(preset) && (printed === preset || printed < 0 || !at(printed));
   }
 
@@ -132,7 +156,7 @@ export class WorkbenchState extends ParameterState {
 
   reset() {
     this.shown = { ...this.start, desk: this.shown.desk };
-    this.set({ ...this.system.initial, magnify: this.system.magnify ?? 1 });
+    this.set({ ...this.base.initial, magnify: this.base.magnify ?? 1 });
   }
 
   /** The window and the desk are no part of a step of the history. */
@@ -151,7 +175,7 @@ export class WorkbenchState extends ParameterState {
   toAddress() {
     const { values, shown, start } = this;
     /** @type {Values} */
-    const all = holds(this.system.initial, values) ? {} : { ...values };
+    const all = holds(this.base.initial, values) ? {} : { ...this.told };
     for (const name of /** @type {(keyof Shown)[]} */ (Object.keys(start)))
       if (name !== 'camera' && name !== 'desk' && shown[name] !== start[name])
         all[`view.${name}`] = shown[name];
@@ -159,7 +183,7 @@ export class WorkbenchState extends ParameterState {
     const { camera } = shown;
     if (camera)
       all['view.window'] = [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_');
-    if (this.magnify !== (this.system.magnify ?? 1)) all['view.magnify'] = this.magnify;
+    if (this.magnify !== (this.base.magnify ?? 1)) all['view.magnify'] = this.magnify;
     return all;
   }
 
