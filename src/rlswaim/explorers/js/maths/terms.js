@@ -10,7 +10,8 @@
  *   choice?: { name: string, zero: Record<string, string[]> }, closing: string[], maps: string[],
  *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
- *   running: Record<string, any>, vehicle: Record<string, any> }} System
+ *   running: Record<string, any>, vehicle: Record<string, any>,
+ *   loop?: import('../reading/given_loop.js').GivenRoots }} System loop: one that a reader gave
  */
 
 /**

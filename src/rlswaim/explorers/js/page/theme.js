@@ -34,7 +34,7 @@ export function themeOf(root, own) {
     ink: read('ink'),
     muted: read('muted'),
     color: (name) => colors.get(name),
-    sign: (name) => SIGNS[names.indexOf(name)],
+    sign: (name) => SIGNS[names.indexOf(name) % SIGNS.length],
   };
 }
 

@@ -22,5 +22,6 @@ function excitationOf(input) {
   return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
 }
 
-/** @param {System} system */
-export const excitationsOf = ({ numerators }) => Object.keys(numerators).map(excitationOf);
+/** @param {System} system @returns {Excitation[]} */
+export const excitationsOf = ({ numerators, excitations }) =>
+  excitations ?? Object.keys(numerators).map(excitationOf);

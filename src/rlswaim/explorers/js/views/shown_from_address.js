@@ -21,7 +21,7 @@ const sensible = ({ system, inputs }) => ({
   input: placesFrom(0, inputs.length),
   printed: placesFrom(-1, system.presets.length),
   mode: placesFrom(0, system.poles.length + system.actuators.length),
-  duration: (value) => DURATIONS.includes(value),
+  duration: (value) => (system.durations ?? DURATIONS).includes(value),
   gust: (value) => GUSTS.includes(value),
   magnify: (value) => value >= 1 && value <= LARGEST,
 });
