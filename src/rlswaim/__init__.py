@@ -2,6 +2,7 @@
 
 from rlswaim.edition.ledger import ledger
 from rlswaim.edition.search import searches
+from rlswaim.explorers.own_loop import explore
 from rlswaim.loops.systems import dual_actuation, rate_attitude, single_sensor, two_sensor
 from rlswaim.practice.greensite import greensite
 from rlswaim.rootlocus.locus import RootLocus, parameter_locus, root_locus
@@ -17,6 +18,7 @@ __all__ = [
     "RootLocus",
     "Surface",
     "dual_actuation",
+    "explore",
     "greensite",
     "ledger",
     "parameter_locus",

@@ -2,16 +2,18 @@
 import { branches, crosses, crossing, directions, poles } from './locus_marks.js';
 import { dot, label, plus, ring, specks } from './marks.js';
 import { originInset, sPlane } from './s_plane.js';
+import { zPlane } from './z_plane.js';
 
 /** @import { Graphics, Locus, NamedRoots, Point, Pole, Roots, Theme, View } from '../types.d.ts' */
 /** @import { Layer } from './plane.js' */
 /**
  * @typedef {{ printed: Pole[], selected: Pole, inset: { view: View, locus: Locus, magnify: number },
- *   cloud?: Roots[] }} Extra cloud: the poles of dispersed vehicles
+ *   cloud?: Roots[], discrete?: boolean }} Extra cloud: the poles of dispersed vehicles; discrete: roots in
+ *   z, not in s
  */
 
 /** @param {Locus} locus @param {Theme} theme @param {Extra} extra @returns {Layer[]} */
-function marksOf(locus, theme, { printed, selected, cloud = [] }) {
+function marksOf(locus, theme, { printed, selected, cloud = [], discrete }) {
   const names = locus.open.branches;
   return [
     branches(locus.branches, names),
@@ -22,7 +24,7 @@ function marksOf(locus, theme, { printed, selected, cloud = [] }) {
     ),
     crosses(locus.open),
     specks(cloud),
-    ...locus.crossings.map(crossing),
+    ...locus.crossings.map((c) => crossing(c, discrete)),
     poles(locus.present, names),
     ...printed.map(({ re, im }) => plus(re, Math.abs(im), 8)),
     ...(selected ? [ring(selected.re, Math.abs(selected.im), 11)] : []),
@@ -34,7 +36,7 @@ function marksOf(locus, theme, { printed, selected, cloud = [] }) {
  * @param {Extra} extra roots printed in the report, the pole selected, a small window about the origin
  */
 export function drawLocus(g, view, theme, locus, extra) {
-  sPlane(g, view, theme, ...marksOf(locus, theme, extra));
+  (extra.discrete ? zPlane : sPlane)(g, view, theme, ...marksOf(locus, theme, extra));
   if (!extra.inset) return;
   const { view: inner, locus: small, magnify } = extra.inset;
   originInset(g, inner, theme, magnify, ...marksOf(small, theme, extra));

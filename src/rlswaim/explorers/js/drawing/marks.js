@@ -34,13 +34,14 @@ const SIGNS = {
 };
 
 /**
- * A sign for each name: its own, or one that is left.
+ * A sign for each name: its own, or one that is left; many names share the signs.
  * @param {string[]} names @returns {Map<string, string>}
  */
 export function signsOf(names) {
   const taken = names.map((name) => SIGNS[name]);
   const left = Object.keys(SHAPES).filter((sign) => !taken.includes(sign));
-  return new Map([...names].sort().map((name) => [name, SIGNS[name] ?? left.shift()]));
+  let next = 0;
+  return new Map([...names].sort().map((name) => [name, SIGNS[name] ?? left[next++ % left.length]]));
 }
 
 /** A polyline. @param {number[][]} points @param {string} color @returns {Layer} */

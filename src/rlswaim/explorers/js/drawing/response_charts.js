@@ -95,7 +95,7 @@ export function drawResponses(g, width, height, theme, times, responses, units) 
     const color = theme.color(BRANCH[name]) ?? theme.ink;
     const curve = Array.from(times, (t, k) => [t, values[k]]);
     const plane = new Plane(g, view, theme).layers(ground, grid(every, step)).numbers(every, step);
-    write(g, `${LETTER[name] ?? name} (${unit})`, frame.x, frame.y - 9, theme.ink, 'left');
+    write(g, unit ? `${LETTER[name] ?? name} (${unit})` : name, frame.x, frame.y - 9, theme.ink, 'left');
     write(g, 't (s)', frame.x + frame.w, frame.y - 9, theme.muted, 'right');
     line(
       [

@@ -36,7 +36,7 @@ function growth(x, y) {
  * @param {Points} poles
  * @param {number} scale
  */
-function setApart({ x, y }, scale) {
+export function setApart({ x, y }, scale) {
   const n = x.length;
   const free = new Set(Array(n).keys());
   const moved = { x: Float64Array.from(x), y: Float64Array.from(y) };
@@ -64,7 +64,7 @@ function setApart({ x, y }, scale) {
  * What one pole x + jy makes of the input at each time: the convolution of e^(pt) with it.
  * @type {Record<string, (x: number, y: number, duration: number) => Motion>}
  */
-const MOTIONS = {
+export const MOTIONS = {
   initial: (x, y) => (t) => {
     const size = Math.exp(x * t);
     return [size * Math.cos(y * t), size * Math.sin(y * t)];

@@ -11,7 +11,8 @@
  *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
  *   running: Record<string, any>, vehicle: Record<string, any>,
- *   plant?: import('./vehicle_data.js').Plant, base?: any }} System
+ *   plant?: import('./vehicle_data.js').Plant, base?: any,
+ *   loop?: import('../reading/given_loop.js').GivenRoots }} System loop: one that a reader gave
  */
 
 /**

@@ -83,6 +83,12 @@ export class Lifecycle {
     this.redraw.now();
   }
 
+  /** Other things are drawn from now on. @param {Record<string, string>} colors */
+  recolor(colors) {
+    this.view.colors = colors;
+    this.theme = themeOf(this.el, colors);
+  }
+
   /** Something changed that the page brings about, not the hand. */
   follow() {
     this.redraw.next();

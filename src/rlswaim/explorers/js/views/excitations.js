@@ -24,5 +24,5 @@ function excitationOf(input) {
   return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
 }
 
-/** @param {System} system */
-export const excitationsOf = (system) => inputsOf(system).map(excitationOf);
+/** @param {System} system @returns {Excitation[]} */
+export const excitationsOf = (system) => system.excitations ?? inputsOf(system).map(excitationOf);

@@ -9,6 +9,7 @@ import { render as bentVehicle } from './bent_vehicle.js';
 import { render as comparison } from './comparison.js';
 import { render as coupledVehicle } from './coupled_vehicle.js';
 import { render as movingLoop } from './moving_loop.js';
+import { render as ownLoop } from './own_loop.js';
 import { render as peakBound } from './peak_bound.js';
 import { render as stationMap } from './station_map.js';
 import { render as workbench } from './workbench.js';
@@ -22,6 +23,7 @@ const VIEWS = {
   comparison,
   'coupled-vehicle': coupledVehicle,
   'moving-loop': movingLoop,
+  'own-loop': ownLoop,
   'peak-bound': peakBound,
   'station-map': stationMap,
   workbench,

@@ -22,6 +22,7 @@ const KEYS_HELP =
   'Arrows step the running parameter, plus and minus zoom, 0 fits, Shift with arrows pans, ' +
   'Tab goes to the poles.';
 const ZOOM = 1 / 0.7;
+const CIRCLE = [-1, 1].map((x) => [x, 1]); // what a plane of z shows at least
 
 /** A value of what runs, with its unit. @param {System} system @param {string} name */
 export const runText = (system, name) => {
@@ -212,6 +213,7 @@ export class LocusPlane {
       cloud: this.bench.vehicle.cloud.points,
       selected: this.bench.selected(closed),
       inset: this.inset,
+      discrete: Boolean(system.loop?.dt),
     };
     this.paint(contextOf(this.canvas, width, height));
     this.poles.place(this.locus.present, this.view);
@@ -239,7 +241,8 @@ export class LocusPlane {
   #fit(width, height, closed, printed) {
     const { system, state, shared } = this.bench;
     const near = [namedPoles(system, state.values), closed].flatMap((roots) => withinReach(system, roots));
-    const points = [...near, ...printed.map(({ re, im }) => [re, im])];
+    const circle = system.loop?.dt ? CIRCLE : [];
+    const points = [...near, ...circle, ...printed.map(({ re, im }) => [re, im])];
     return fitted(shared?.with(this.bench, points) ?? points, width, height);
   }
 

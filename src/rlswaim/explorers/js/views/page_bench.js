@@ -20,7 +20,7 @@ export class PageBench {
     this.rows = new ParameterRows(gains, this.model);
     const root = element('div', { 'data-name': name }, this.rows.node);
     this.node = element('div', { class: 'bench' }, root);
-    this.workbench = new Workbench(this.model, root, shared);
+    this.workbench = new Workbench(this.model, root, { shared });
   }
 
   get name() {

@@ -22,7 +22,7 @@ const sensible = ({ base: system, inputs }) => ({
   input: placesFrom(0, inputs.length),
   printed: placesFrom(-1, system.presets.length),
   mode: placesFrom(0, system.poles.length + system.actuators.length),
-  duration: (value) => DURATIONS.includes(value),
+  duration: (value) => (system.durations ?? DURATIONS).includes(value),
   cloud: placesFrom(0, 2),
   gust: (value) => GUSTS.includes(value),
   magnify: (value) => value >= 1 && value <= LARGEST,

@@ -2,6 +2,7 @@
 import { button, element, panel, set } from '../page/elements.js';
 import { LinkCopier } from '../page/link_copier.js';
 import { polesAsText } from '../page/pole_table.js';
+import { pythonOfLoop } from '../page/python_of_loop.js';
 import { download, fileName, pythonOf, svgOf } from '../page/take_away.js';
 
 /** @import { Workbench } from './workbench.js' */
@@ -27,7 +28,8 @@ export class TakeAway {
   }
 
   #call() {
-    return pythonOf(this.bench.system, this.bench.state.values);
+    const { system, state } = this.bench;
+    return system.given ? pythonOfLoop(system.given, state.values.k) : pythonOf(system, state.values);
   }
 
   /** @param {string} words */
@@ -37,12 +39,13 @@ export class TakeAway {
 
   /** @param {string} what */
   #fileName(what) {
-    return fileName(this.bench.system.system, this.bench.state.told, what);
+    const { system, state } = this.bench;
+    return fileName(system.system, system.given ? { k: state.values.k } : state.told, what);
   }
 
   #savePoles() {
-    const { poles, state } = this.bench;
-    download(this.#fileName('poles.csv'), 'text/csv', polesAsText(poles, state.values));
+    const { poles, state, words } = this.bench;
+    download(this.#fileName('poles.csv'), 'text/csv', polesAsText(poles, state.values, words.poles));
   }
 
   #savePicture() {

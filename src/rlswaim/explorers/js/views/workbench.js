@@ -16,10 +16,11 @@ import {
   symbol,
 } from '../page/elements.js';
 import { Lifecycle } from '../page/lifecycle.js';
-import { crossingWords, marginWords, printedWords } from '../page/locus_words.js';
+import { printedWords } from '../page/locus_words.js';
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
-import { VerdictLine, verdict } from '../page/verdict.js';
+import { VerdictLine } from '../page/verdict.js';
+import { IN_S } from '../page/words_in_s.js';
 import { Desk } from './desk.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
@@ -34,6 +35,7 @@ import { WorkbenchState } from './workbench_state.js';
 /** @import { SharedWindow } from './shared_window.js' */
 /** @import { Verdict } from '../page/verdict.js' */
 /** @import { Shown } from './workbench_state.js' */
+/** @import { Words } from '../page/words_in_s.js' */
 /** @typedef {Pole & { index: number }} Selected */
 /**
  * @typedef {{ canvas: HTMLCanvasElement, node: HTMLDetailsElement }} Part a panel that draws while it is seen
@@ -41,22 +43,27 @@ import { WorkbenchState } from './workbench_state.js';
 
 const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
 /** What the signs of the planes mean. @param {System} system @returns {[string, string][]} */
-const signsOf = ({ running, maps }) => [
+const signsOf = ({ running, maps, given }) => [
   ['×', 'open-loop pole'],
   ['○', 'open-loop zero'],
   ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
   ['▸', 'rising gain'],
   ['◇', 'crossing: gain and ω'],
-  ['•', `break-away; in the map, every 100 ${running[maps[0]].unit}`],
+  ['•', maps.length ? `break-away; in the map, every 100 ${running[maps[0]].unit}` : 'break-away'],
   ['╌', 'a pair whose roots left different poles'],
-  ['+', 'printed in the report'],
+  .../** @type {[string, string][]} */ (given ? [] : [['+', 'printed in the report']]),
 ];
 
 export class Workbench {
-  /** @param {Model} model @param {HTMLElement} el @param {SharedWindow} [shared] with other workbenches */
-  constructor(model, el, shared) {
+  /**
+   * @param {Model} model @param {HTMLElement} el
+   * @param {{ shared?: SharedWindow, state?: WorkbenchState }} [given] shared: with other workbenches
+   */
+  constructor(model, el, { shared, state = new WorkbenchState(model) } = {}) {
     this.shared = shared;
-    this.state = new WorkbenchState(model);
+    this.state = state;
+    /** @type {Words} */
+    this.words = IN_S;
     this.plane = new LocusPlane(this);
     this.map = new MapPanel(this);
     this.responses = new ResponsePanel(this);
@@ -73,7 +80,8 @@ export class Workbench {
       printed: element('span'),
     };
     this.named = '';
-    this.parts = [this.map, this.responses, ...(this.system.vehicle ? [this.mode] : [])];
+    const { maps, vehicle } = this.system;
+    this.parts = [...(maps.length ? [this.map] : []), this.responses, ...(vehicle ? [this.mode] : [])];
     this.seen = new Map(this.parts.map(({ canvas }) => [canvas, true]));
     this.page = new Lifecycle(el, this.system.system, {
       state: this.state,
@@ -122,7 +130,8 @@ export class Workbench {
       this.state.reset();
       this.page.changed();
     });
-    return group('buttons', 'Designs', element('span', {}, 'Designs'), ...this.designs, reset);
+    const { designs = 'Designs' } = this.system;
+    return group('buttons', designs, element('span', {}, designs), ...this.designs, reset);
   }
 
   /** @param {number} preset */
@@ -209,7 +218,11 @@ export class Workbench {
     return node.open && this.seen.get(canvas);
   }
 
+  /** Before each drawing. */
+  prepare() {}
+
   #draw() {
+    this.prepare();
     const { state, system, page } = this;
     const { values } = state;
     /** @type {NamedRoots} */
@@ -234,27 +247,22 @@ export class Workbench {
     const { running } = state.what;
     const { locus, extra } = this.plane;
     /** @type {Verdict} */
-    this.verdict = verdict(this.poles);
+    this.verdict = this.words.verdict(this.poles);
     this.verdictLine.show(this.verdict);
-    this.table.show(this.poles, this.page.theme);
+    this.table.show(this.poles, this.page.theme, this.words.poles);
     const words = this.locusWords;
     if (this.named !== running) {
       this.named = running;
       words.running.replaceChildren(...symbol(running));
     }
-    set(words.crossings, crossingWords(locus.crossings));
-    set(
-      words.margins,
-      marginWords(
-        margins(system, values, state.what),
-        Array.from(locus.present.x).every((x) => x < 0),
-      ),
-    );
+    const { crossings, margins: told, isStable } = this.words;
+    set(words.crossings, crossings(locus.crossings));
+    set(words.margins, told(margins(system, values, state.what), isStable(locus.present)));
     set(words.printed, printedWords(/** @type {any} */ (extra.printed), locus.present));
     const { path } = system.presets[state.shown.printed] ?? {};
     const sign = /** @type {Text} */ (this.signs.lastChild.lastChild);
     const meaning = ` printed in the report${path ? ` (${path})` : ''}`;
-    if (sign.data !== meaning) sign.data = meaning;
+    if (!system.given && sign.data !== meaning) sign.data = meaning;
     this.designs.forEach((design, i) => {
       press(design, state.isDesign(i));
     });
@@ -266,7 +274,7 @@ export class Workbench {
   #later() {
     const { word, long, short } = this.verdict;
     this.plane.later(`${word.toLowerCase()}${long}`);
-    this.map.later(short);
+    if (this.system.maps.length) this.map.later(short);
     this.responses.later();
     if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
