@@ -89,6 +89,7 @@ export function loopOf(system, state, what) {
     const parts = factored(loop);
     return {
       ...loop,
+      parts,
       breaks: breakAways(parts),
       crossings: lazy(() => crossings(parts)),
       zeros: repeated([...parts.zeros, ...parts.common]),

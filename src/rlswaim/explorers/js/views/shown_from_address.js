@@ -2,6 +2,7 @@
 import { isWindow } from '../drawing/camera.js';
 import { leftOut } from '../page/address_values.js';
 import { DURATIONS, GUSTS } from './excitations.js';
+import { PICTURES } from './frequency_panel.js';
 
 /** @import { Shown, WorkbenchState } from './workbench_state.js' */
 
@@ -47,6 +48,7 @@ export function shownFrom(state, texts) {
   for (const [name, isSensible] of Object.entries(sensible(state)))
     take(name, (text) => (text !== '' && isSensible(Number(text)) ? Number(text) : undefined));
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
+  take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
   take('window', windowFrom);
   const { magnify, window, ...shown } = found;
   return { shown: window ? { ...shown, camera: window } : shown, magnify, notes };

@@ -20,6 +20,7 @@ import { crossingWords, marginWords, printedWords } from '../page/locus_words.js
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
+import { FrequencyPanel } from './frequency_panel.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
@@ -59,6 +60,7 @@ export class Workbench {
     this.map = new MapPanel(this);
     this.responses = new ResponsePanel(this);
     this.mode = new ModePanel(this);
+    this.frequency = new FrequencyPanel(this);
     this.takeAway = new TakeAway(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
@@ -70,7 +72,7 @@ export class Workbench {
       printed: element('span'),
     };
     this.named = '';
-    this.parts = [this.map, this.responses, ...(this.system.vehicle ? [this.mode] : [])];
+    this.parts = [this.frequency, this.map, this.responses, ...(this.system.vehicle ? [this.mode] : [])];
     this.seen = new Map(this.parts.map(({ canvas }) => [canvas, true]));
     this.page = new Lifecycle(el, this.system.system, {
       state: this.state,
@@ -80,6 +82,7 @@ export class Workbench {
       later: () => this.#later(),
       arrived: (texts) => {
         if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
+        if ('view.frequency' in texts) this.frequency.node.open = true;
       },
       stop: () => this.#end(),
     });
@@ -253,6 +256,7 @@ export class Workbench {
     this.plane.later(`${word.toLowerCase()}${long}`);
     this.map.later(short);
     this.responses.later();
+    this.frequency.later();
     if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
   }

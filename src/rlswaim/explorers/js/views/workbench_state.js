@@ -14,6 +14,7 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} input the excitation of the responses, by its place
  * @property {number} duration s
  * @property {number} gust s
+ * @property {string} frequency which picture of the frequency response
  */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
 
@@ -49,6 +50,7 @@ export class WorkbenchState extends ParameterState {
       input: 0,
       duration: 5,
       gust: 2,
+      frequency: 'bode',
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
