@@ -21,6 +21,8 @@ EQUATIONS = {"data": rl.perturbation_equations(rl.swaim_booster()), "printed": r
 EQS = EQUATIONS["printed"]
 MATHS = (
     "closed_loop",
+    "compensated",
+    "compensator",
     "cut_loop",
     "frequency_response",
     "gain_at",

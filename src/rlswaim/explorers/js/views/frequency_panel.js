@@ -53,12 +53,13 @@ export class FrequencyPanel {
       bench.page.follow();
     });
     this.reaches.choose(this.reach);
+    this.stage = element('div', { class: 'over' }, this.canvas);
     this.readout = element('span', { class: 'said' });
     this.words = element('p', { class: 'crossings' });
     const save = button('Picture (SVG)', () => this.#save());
     const row = element('div', { class: 'controls' }, this.kinds.node, this.reaches.node, save, this.readout);
     const title = 'Frequency response';
-    this.panel = panel('frequency', title, () => bench.page.follow(), row, this.canvas, this.words);
+    this.panel = panel('frequency', title, () => bench.page.follow(), row, this.stage, this.words);
     this.node = this.panel.node;
     this.spot = new AxisSpot(bench.plane, (omega) => this.#mark(omega));
     this.node.addEventListener('toggle', () => this.spot.listen(this.node.open));
@@ -202,6 +203,11 @@ export class FrequencyPanel {
       this.cut.isStable,
       (omega) => modeAt(this.modes, omega)?.name ?? rest,
     );
+  }
+
+  /** The view of the Bode diagram's size, if it is shown. */
+  get bode() {
+    return this.node.open ? this.pictures.find(({ kind }) => kind === 'bode')?.views[0] : undefined;
   }
 
   #title() {

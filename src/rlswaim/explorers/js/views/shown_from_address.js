@@ -1,6 +1,8 @@
 // What an address says of a workbench beside its parameters: the locus, the window, the panels' choices.
 import { isWindow } from '../drawing/camera.js';
+import { MOST } from '../maths/compensator.js';
 import { leftOut } from '../page/address_values.js';
+import { compensatorFrom } from '../page/compensator_text.js';
 import { DURATIONS, GUSTS } from './excitations.js';
 import { PICTURES } from './frequency_panel.js';
 
@@ -21,7 +23,7 @@ const sensible = ({ system, inputs }) => ({
   map: placesFrom(0, system.maps.length),
   input: placesFrom(0, inputs.length),
   printed: placesFrom(-1, system.presets.length),
-  mode: placesFrom(0, system.poles.length + system.actuators.length),
+  mode: placesFrom(0, system.poles.length + system.actuators.length + MOST.order),
   duration: (value) => DURATIONS.includes(value),
   gust: (value) => GUSTS.includes(value),
   magnify: (value) => value >= 1 && value <= LARGEST,
@@ -49,6 +51,7 @@ export function shownFrom(state, texts) {
     take(name, (text) => (text !== '' && isSensible(Number(text)) ? Number(text) : undefined));
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
   take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
+  take('compensator', (text) => (compensatorFrom(text, state.places) ? text : undefined));
   take('window', windowFrom);
   const { magnify, window, ...shown } = found;
   return { shown: window ? { ...shown, camera: window } : shown, magnify, notes };

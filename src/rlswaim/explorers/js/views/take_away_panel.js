@@ -1,8 +1,10 @@
 // What a reader takes away from a workbench: the link, the picture, the poles, the call of the library.
+
+import { pythonWith } from '../page/compensator_python.js';
 import { button, element, panel, set } from '../page/elements.js';
 import { LinkCopier } from '../page/link_copier.js';
 import { polesAsText } from '../page/pole_table.js';
-import { download, fileName, pythonOf, svgOf } from '../page/take_away.js';
+import { download, fileName, svgOf } from '../page/take_away.js';
 
 /** @import { Workbench } from './workbench.js' */
 
@@ -27,7 +29,8 @@ export class TakeAway {
   }
 
   #call() {
-    return pythonOf(this.bench.system, this.bench.state.values);
+    const { system, state } = this.bench;
+    return pythonWith(system, state.values, state.inLoop === state.system ? null : state.compensator);
   }
 
   /** @param {string} words */

@@ -3,6 +3,7 @@
 import { nearestRoot } from '../drawing/nearest.js';
 import { closedLoop } from '../maths/closed_loop.js';
 import { margins } from '../maths/margins.js';
+import { withCompensator } from '../page/compensator_words.js';
 import {
   button,
   element,
@@ -20,6 +21,7 @@ import { crossingWords, marginWords, printedWords } from '../page/locus_words.js
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
+import { CompensatorPanel } from './compensator_panel.js';
 import { FrequencyPanel } from './frequency_panel.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
@@ -61,6 +63,7 @@ export class Workbench {
     this.responses = new ResponsePanel(this);
     this.mode = new ModePanel(this);
     this.frequency = new FrequencyPanel(this);
+    this.compensator = new CompensatorPanel(this);
     this.takeAway = new TakeAway(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
@@ -76,13 +79,14 @@ export class Workbench {
     this.seen = new Map(this.parts.map(({ canvas }) => [canvas, true]));
     this.page = new Lifecycle(el, this.system.system, {
       state: this.state,
-      colors: this.system.branches,
+      colors: withCompensator(this.system.branches),
       canvases: [this.plane.canvas, ...this.seen.keys()],
       draw: () => this.#draw(),
       later: () => this.#later(),
       arrived: (texts) => {
         if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
         if ('view.frequency' in texts) this.frequency.node.open = true;
+        if ('view.compensator' in texts) this.compensator.node.open = true;
       },
       stop: () => this.#end(),
     });
@@ -95,7 +99,7 @@ export class Workbench {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
-    const panels = [poles, ...this.parts, this.takeAway].map(({ node }) => node);
+    const panels = [poles, this.compensator, ...this.parts, this.takeAway].map(({ node }) => node);
     el.append(
       this.#presets(),
       this.#bar(),
@@ -200,8 +204,10 @@ export class Workbench {
   }
 
   #draw() {
-    const { state, system, page } = this;
+    const { state, page } = this;
     const { values } = state;
+    const system = state.inLoop;
+    this.system = system;
     /** @type {NamedRoots} */
     this.closed = closedLoop(system, values);
     const { x, y, branches } = this.closed;
@@ -248,6 +254,7 @@ export class Workbench {
     });
     this.loci.choose(state.shown.locus);
     this.inset.choose(state.magnify);
+    this.compensator.show();
   }
 
   /** Words that may lag a little behind the pictures. */

@@ -1,8 +1,12 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
+
+import { compensated } from '../maths/compensated.js';
+import { compensatorFrom } from '../page/compensator_text.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
 import { excitationsOf } from './excitations.js';
 import { shownFrom } from './shown_from_address.js';
 
+/** @import { Compensator } from '../maths/compensator.js' */
 /** @import { Camera, Model, System, Values, What } from '../types.d.ts' */
 /**
  * @typedef {object} Shown
@@ -14,6 +18,7 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} input the excitation of the responses, by its place
  * @property {number} duration s
  * @property {number} gust s
+ * @property {string} compensator as in the address, empty for none
  * @property {string} frequency which picture of the frequency response
  */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
@@ -51,6 +56,7 @@ export class WorkbenchState extends ParameterState {
       duration: 5,
       gust: 2,
       frequency: 'bode',
+      compensator: '',
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -78,6 +84,35 @@ export class WorkbenchState extends ParameterState {
     return this.loci.find(({ key }) => key === this.shown.locus).what;
   }
 
+  /** Gains whose signal a compensator may go through: those of the loops. @returns {string[]} */
+  get places() {
+    const gains = this.loci
+      .map(({ what }) => what.running)
+      .filter((name) => this.system.running[name].magnitudes);
+    const own = this.system.loci.map((/** @type {What} */ { running }) => running);
+    return [...new Set(gains.filter((name) => own.includes(name)))].reverse();
+  }
+
+  /** The compensator that is chosen, null for none. */
+  get compensator() {
+    this.#read();
+    return this.kept.compensator;
+  }
+
+  /** The system with the compensator in its loop. @returns {System} */
+  get inLoop() {
+    this.#read();
+    return this.kept.system;
+  }
+
+  #read() {
+    const text = this.shown.compensator;
+    if (this.kept?.text === text) return;
+    const compensator = (text && compensatorFrom(text, this.places)) || null;
+    /** @type {{ text: string, compensator: Compensator | null, system: System }} */
+    this.kept = { text, compensator, system: compensated(this.system, compensator) };
+  }
+
   /** The station that runs in the pole map. @returns {string} */
   get station() {
     return this.system.maps[this.shown.map];
@@ -94,7 +129,8 @@ export class WorkbenchState extends ParameterState {
    * @param {number} preset
    */
   isDesign(preset) {
-    const { printed } = this.shown;
+    const { printed, compensator } = this.shown;
+    if (compensator) return false;
     const { values } = this;
     /** @param {number} i */
     const at = (i) => holds(this.system.presets[i].values, values);

@@ -1,0 +1,41 @@
+// A control system with a compensator in it. The system's polynomials are affine in the gain k whose signal
+// goes through the compensator: with k N/D in place of k, times D, a term with k is multiplied by N and any
+// other by D.
+import { roots } from './aberth.js';
+import { isProper, ratioOf, rootsOf } from './compensator.js';
+import { multiply } from './polynomials.js';
+
+/** @typedef {import('./terms.js').System} System */
+/** @typedef {import('./terms.js').Term} Term */
+/** @typedef {import('./compensator.js').Compensator} Compensator */
+
+export const BRANCH = 'compensator';
+
+/**
+ * The system with the compensator in the path of one of its gains; the system itself without one, or with one
+ * that cannot be built.
+ * @template {System} Any
+ * @param {Any} system
+ * @param {Compensator | null} compensator
+ * @returns {Any}
+ */
+export function compensated(system, compensator) {
+  if (!compensator || !isProper(compensator)) return system;
+  const { place, sections } = compensator;
+  const { N, D } = ratioOf(compensator);
+  /** @param {Term} term */
+  const within = (term) => ({
+    factors: term.factors,
+    coefficients: multiply(term.coefficients, term.factors.includes(place) ? N : D),
+  });
+  const numerators = Object.fromEntries(
+    Object.entries(system.numerators).map(([input, outputs]) => [
+      input,
+      Object.fromEntries(Object.entries(outputs).map(([output, terms]) => [output, terms.map(within)])),
+    ]),
+  );
+  const poles = sections
+    .flatMap((section) => rootsOf(section, roots).poles)
+    .map((pole) => ({ ...pole, branch: BRANCH }));
+  return { ...system, terms: system.terms.map(within), numerators, poles: [...system.poles, ...poles] };
+}
