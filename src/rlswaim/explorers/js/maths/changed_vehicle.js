@@ -3,6 +3,7 @@
 
 import { roots } from './aberth.js';
 import { characteristicTerms, numeratorsFrom } from './closed_loop_forms.js';
+import { throughCompensator } from './compensated.js';
 import { once } from './kept_values.js';
 import { BLIND } from './line_quality.js';
 import { matchRoots } from './match_roots.js';
@@ -111,11 +112,26 @@ const valuesAt = (system, state) => ({
  * @param {System} system @param {State} state
  */
 export const polynomialAround = (system, state) =>
-  polynomial(characteristicTerms(system.plant, valuesAt(system, state)), {});
+  throughCompensator(system.through, state, (values) =>
+    polynomial(characteristicTerms(system.plant, valuesAt(system, values)), {}),
+  );
 
 /**
  * The numerators from an input by output: Python's, or else at the numbers of the state.
  * @param {System} system @param {State} state @param {string} input
+ * @returns {Record<string, import('./terms.js').Term[]>}
  */
-export const numeratorsOf = (system, state, input) =>
-  system.numerators?.[input] ?? numeratorsFrom(system.plant, valuesAt(system, state), input);
+export function numeratorsOf(system, state, input) {
+  const given = system.numerators?.[input];
+  if (given) return given;
+  /** @param {State} values */
+  const at = (values) => numeratorsFrom(system.plant, valuesAt(system, values), input);
+  if (!system.through) return at(state);
+  const outputs = system.plant.outputs.map((output) => {
+    /** @param {State} values */
+    const one = (values) => polynomial(at(values)[output], {});
+    const coefficients = throughCompensator(system.through, state, one);
+    return [output, [{ factors: /** @type {string[]} */ ([]), coefficients }]];
+  });
+  return Object.fromEntries(outputs);
+}

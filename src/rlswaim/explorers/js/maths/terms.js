@@ -12,7 +12,9 @@
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
  *   running: Record<string, any>, vehicle: Record<string, any>,
  *   plant?: import('./vehicle_data.js').Plant, base?: any,
- *   loop?: import('../reading/given_loop.js').GivenRoots }} System loop: one that a reader gave
+ *   loop?: import('../reading/given_loop.js').GivenRoots, through?: Through }} System loop: one that a reader
+ *   gave; through: the compensator N/D in the path of the gain at its place
+ * @typedef {{ place: string, N: number[], D: number[] }} Through
  */
 
 /**

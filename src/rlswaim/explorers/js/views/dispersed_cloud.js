@@ -11,7 +11,7 @@ const REST = 60; // ms until it begins
 
 /** @param {System} around @param {Values} values @returns {Generator<Roots>} */
 function* dispersed(around, values) {
-  const system = around.base ?? around;
+  const system = { ...(around.base ?? around), through: around.through };
   const factors = around.dispersed;
   const names = Object.keys(factors);
   for (let k = 0; k < factors[names[0]].length; k++) {

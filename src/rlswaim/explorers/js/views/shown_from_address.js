@@ -1,8 +1,11 @@
 // What an address says of a workbench beside its parameters: the locus, the window, the panels' choices.
 import { isWindow } from '../drawing/camera.js';
+import { MOST } from '../maths/compensator.js';
 import { leftOut } from '../page/address_values.js';
+import { compensatorFrom } from '../page/compensator_text.js';
 import { deskFrom } from './desk_state.js';
 import { DURATIONS, GUSTS } from './excitations.js';
+import { PICTURES } from './frequency_panel.js';
 
 /** @import { Shown, WorkbenchState } from './workbench_state.js' */
 
@@ -21,7 +24,7 @@ const sensible = ({ base: system, inputs }) => ({
   map: placesFrom(0, system.maps.length),
   input: placesFrom(0, inputs.length),
   printed: placesFrom(-1, system.presets.length),
-  mode: placesFrom(0, system.poles.length + system.actuators.length),
+  mode: placesFrom(0, system.poles.length + system.actuators.length + MOST.order),
   duration: (value) => (system.durations ?? DURATIONS).includes(value),
   cloud: placesFrom(0, 2),
   gust: (value) => GUSTS.includes(value),
@@ -49,6 +52,8 @@ export function shownFrom(state, texts) {
   for (const [name, isSensible] of Object.entries(sensible(state)))
     take(name, (text) => (text !== '' && isSensible(Number(text)) ? Number(text) : undefined));
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
+  take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
+  take('compensator', (text) => (compensatorFrom(text, state.places) ? text : undefined));
   take('window', windowFrom);
   take('desk', deskFrom);
   const { magnify, window, ...shown } = found;

@@ -1,9 +1,11 @@
 // What a reader takes away from a workbench: the link, the picture, the poles, the call of the library.
+
+import { pythonWith } from '../page/compensator_python.js';
 import { button, element, panel, set } from '../page/elements.js';
 import { LinkCopier } from '../page/link_copier.js';
 import { polesAsText } from '../page/pole_table.js';
 import { pythonOfLoop } from '../page/python_of_loop.js';
-import { download, fileName, pythonOf, svgOf } from '../page/take_away.js';
+import { download, fileName, svgOf } from '../page/take_away.js';
 
 /** @import { Workbench } from './workbench.js' */
 
@@ -29,7 +31,8 @@ export class TakeAway {
 
   #call() {
     const { system, state } = this.bench;
-    return system.given ? pythonOfLoop(system.given, state.values.k) : pythonOf(system, state.values);
+    if (system.given) return pythonOfLoop(system.given, state.values.k);
+    return pythonWith(system, state.values, state.inLoop === state.system ? null : state.compensator);
   }
 
   /** @param {string} words */

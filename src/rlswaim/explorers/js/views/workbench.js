@@ -3,6 +3,7 @@
 import { nearestRoot } from '../drawing/nearest.js';
 import { closedLoop } from '../maths/closed_loop.js';
 import { margins } from '../maths/margins.js';
+import { withCompensator } from '../page/compensator_words.js';
 import {
   button,
   element,
@@ -21,7 +22,9 @@ import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine } from '../page/verdict.js';
 import { IN_S } from '../page/words_in_s.js';
+import { CompensatorPanel } from './compensator_panel.js';
 import { Desk } from './desk.js';
+import { FrequencyPanel } from './frequency_panel.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
@@ -69,6 +72,8 @@ export class Workbench {
     this.responses = new ResponsePanel(this);
     this.vehicle = new VehiclePanel(this);
     this.mode = new ModePanel(this);
+    this.frequency = new FrequencyPanel(this);
+    this.compensator = new CompensatorPanel(this);
     this.takeAway = new TakeAway(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
@@ -81,17 +86,20 @@ export class Workbench {
     };
     this.named = '';
     const { maps, vehicle } = this.system;
-    this.parts = [...(maps.length ? [this.map] : []), this.responses, ...(vehicle ? [this.mode] : [])];
+    const map = maps.length ? [this.map] : [];
+    this.parts = [this.frequency, ...map, this.responses, ...(vehicle ? [this.mode] : [])];
     this.seen = new Map(this.parts.map(({ canvas }) => [canvas, true]));
     this.page = new Lifecycle(el, this.system.system, {
       state: this.state,
-      colors: this.system.branches,
+      colors: withCompensator(this.system.branches),
       canvases: [this.plane.canvas, ...this.seen.keys()],
       draw: () => this.#draw(),
       later: () => this.#later(),
       arrived: (texts) => {
         if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
         if ('view.desk' in texts) this.desk.follow();
+        if ('view.frequency' in texts) this.frequency.node.open = true;
+        if ('view.compensator' in texts) this.compensator.node.open = true;
       },
       stop: () => this.#end(),
     });
@@ -99,9 +107,9 @@ export class Workbench {
     this.#watch();
   }
 
-  /** The system around the vehicle under the sliders. @returns {System} */
+  /** The system around the vehicle under the sliders, with its compensator. @returns {System} */
   get system() {
-    return this.state.system;
+    return this.state.inLoop;
   }
 
   /** @param {HTMLElement} el */
@@ -109,7 +117,10 @@ export class Workbench {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
-    const panels = [poles, this.vehicle, ...this.parts, this.takeAway].map(({ node }) => node);
+    const compensator = this.state.places.length ? [this.compensator] : [];
+    const panels = [poles, this.vehicle, ...compensator, ...this.parts, this.takeAway].map(
+      ({ node }) => node,
+    );
     const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
     const work = element(
       'div',
@@ -268,6 +279,7 @@ export class Workbench {
     });
     this.loci.choose(state.shown.locus);
     this.inset.choose(state.magnify);
+    this.compensator.show();
   }
 
   /** Words that may lag a little behind the pictures. */
@@ -276,6 +288,7 @@ export class Workbench {
     this.plane.later(`${word.toLowerCase()}${long}`);
     if (this.system.maps.length) this.map.later(short);
     this.responses.later();
+    this.frequency.later();
     if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
   }

@@ -1,11 +1,14 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
 import { systemAt } from '../maths/changed_vehicle.js';
+import { compensated } from '../maths/compensated.js';
 import { isOwnVehicle } from '../maths/vehicle_data.js';
+import { compensatorFrom } from '../page/compensator_text.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
 import { deskText } from './desk_state.js';
 import { excitationsOf } from './excitations.js';
 import { shownFrom } from './shown_from_address.js';
 
+/** @import { Compensator } from '../maths/compensator.js' */
 /** @import { Camera, Model, System, Values, What } from '../types.d.ts' */
 /**
  * @typedef {object} Shown
@@ -19,6 +22,8 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} gust s
  * @property {DeskState | null} desk how the desk is laid out; null while it is closed
  * @property {number} cloud 1: with the poles of dispersed vehicles
+ * @property {string} compensator as in the address, empty for none
+ * @property {string} frequency which picture of the frequency response
  */
 /** @import { DeskState } from './desk_state.js' */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
@@ -57,6 +62,8 @@ export class WorkbenchState extends ParameterState {
       gust: 2,
       desk: null,
       cloud: 0,
+      frequency: 'bode',
+      compensator: '',
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -109,6 +116,37 @@ export class WorkbenchState extends ParameterState {
     return this.loci.find(({ key }) => key === this.shown.locus).what;
   }
 
+  /** Gains whose signal a compensator may go through: those of the loops. @returns {string[]} */
+  get places() {
+    if (this.base.loop) return []; // a loop that a reader gave is its own
+    const gains = this.loci
+      .map(({ what }) => what.running)
+      .filter((name) => this.system.running[name].magnitudes);
+    const own = this.system.loci.map((/** @type {What} */ { running }) => running);
+    return [...new Set(gains.filter((name) => own.includes(name)))].reverse();
+  }
+
+  /** The compensator that is chosen, null for none. */
+  get compensator() {
+    this.#read();
+    return this.kept.compensator;
+  }
+
+  /** The system with the compensator in its loop. @returns {System} */
+  get inLoop() {
+    this.#read();
+    return this.kept.system;
+  }
+
+  #read() {
+    const text = this.shown.compensator;
+    const { kept, system: without } = this;
+    if (kept?.text === text && kept.without === without) return;
+    const compensator = (text && compensatorFrom(text, this.places)) || null;
+    /** @type {{ text: string, compensator: Compensator | null, without: System, system: System }} */
+    this.kept = { text, compensator, without, system: compensated(without, compensator) };
+  }
+
   /** The station that runs in the pole map. @returns {string} */
   get station() {
     return this.base.maps[this.shown.map];
@@ -125,7 +163,8 @@ export class WorkbenchState extends ParameterState {
    * @param {number} preset
    */
   isDesign(preset) {
-    const { printed } = this.shown;
+    const { printed, compensator } = this.shown;
+    if (compensator) return false;
     const { values } = this;
     /** @param {number} i */
     const at = (i) => holds(this.base.presets[i].values, values);
