@@ -109,7 +109,10 @@ def picture(
         if not at.size:
             break
         # The deviation falls with the square of the step.  A further round costs more than some gains.
+        at = at[np.sort(stray[at].argsort()[::-1][: MOST - size.size])]
         pieces = np.clip(np.ceil(finer * np.sqrt(stray[at] / tolerance)), 2, 12).astype(int)
+        if size.size + (pieces - 1).sum() > MOST:
+            pieces[:] = 2
         finer *= 2
         sizes, which = _cut(size[at], size[at + 1], pieces, offset)
         more = between(closed, sets.at(at[which]), sets.at(at[which] + 1), sign * sizes)

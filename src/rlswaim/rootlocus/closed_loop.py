@@ -13,6 +13,8 @@ from rlswaim.rootlocus.open_loop import OpenLoop
 
 BLOCK = 20_000
 """So many pairs of roots at a time: they stay in the processor's cache."""
+BLURRED = 64
+"""Where F is at most so many times its rounding, of two roots that meet the middle alone is fixed."""
 REPEATED = 6
 """Poles and zeros repeated more often than this make matrices whose eigenvalues are no good guesses."""
 
@@ -107,7 +109,7 @@ class ClosedLoop:
         """
         rounding = EPS * (self.counts.sum() + 2)
 
-        def slopes(s: NDArray, which: NDArray) -> tuple[NDArray, NDArray]:
+        def slopes(s: NDArray, which: NDArray) -> tuple[NDArray, NDArray, NDArray]:
             k = gains[which]
             D, D_slope, N, N_slope = self.values(s)
             kN = k * N
@@ -115,7 +117,9 @@ class ClosedLoop:
             terms, size, steep = np.abs(D) + np.abs(kN), np.abs(s), np.abs(derivative)
             double = steep * np.maximum(size, 1e-6) <= 1e-6 * terms
             tangents[:, which] = np.where(double, 0, -self.size * N / derivative)
-            return derivative / F, np.abs(F) <= np.maximum(rounding * terms, EPS * size * steep)
+            left = np.abs(F)
+            found = left <= np.maximum(rounding * terms, EPS * size * steep)
+            return derivative / F, found, left <= BLURRED * rounding * terms
 
         return slopes
 
