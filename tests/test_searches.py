@@ -158,13 +158,15 @@ def test_adaptation_stays_in_the_cube_and_never_gets_worse():
 @pytest.mark.parametrize("objective", ["all", "pair-apart"])
 def test_a_long_search_keeps_what_a_harder_problem_found(objective, monkeypatch):
     """Almost without generations of its own it is no worse than the winners it starts from."""
-    for name, few in (("ROUNDS", 1), ("ADAPTED", 1), ("LAST", 1)):
+    few_of = ("ROUNDS", "ADAPTED", "LAST", "SHORT_ROUNDS", "STARTS", "SETTLED", "HOPS")
+    for name, few in (*((name, 1) for name in few_of), ("DESCENTS", 2)):
         monkeypatch.setattr(long_searches, name, few)
     key = ("dual_actuation", objective)
     found = long_searches.long_search(EQS, key, rl.searches())
     harder = [rl.searches()[inner].abscissa for inner in long_searches.constrained(*key)]
     assert found.abscissa <= min(harder) + 1e-4
-    assert found.abscissa <= min(found.evolution, found.adaptation)
+    assert found.abscissa <= min(found.evolution, found.adaptation, found.descents) + 1e-4
+    assert found.descents <= found.worst
     assert found.evaluations > 0
 
 
