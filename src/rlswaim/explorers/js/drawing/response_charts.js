@@ -25,7 +25,7 @@ const BRANCH = {
 };
 
 /** Angles are told in degrees. @param {string} unit @returns {[number, string]} */
-const scaleOf = (unit) => (unit === 'rad' ? [180 / Math.PI, '°'] : [1, unit]);
+export const scaleOf = (unit) => (unit === 'rad' ? [180 / Math.PI, '°'] : [1, unit]);
 
 /** @param {number} width @param {number} count */
 const columnsOf = (width, count) => Math.min(count, Math.max(1, Math.floor(width / 220)));

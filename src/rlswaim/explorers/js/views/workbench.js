@@ -20,6 +20,7 @@ import { crossingWords, marginWords, printedWords } from '../page/locus_words.js
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
+import { CriteriaCard } from './criteria_card.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
@@ -60,6 +61,7 @@ export class Workbench {
     this.responses = new ResponsePanel(this);
     this.mode = new ModePanel(this);
     this.takeAway = new TakeAway(this);
+    this.criteria = new CriteriaCard(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
     this.signs = legend(signsOf(this.system));
@@ -92,7 +94,7 @@ export class Workbench {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
-    const panels = [poles, ...this.parts, this.takeAway].map(({ node }) => node);
+    const panels = [poles, ...this.parts, this.criteria, this.takeAway].map(({ node }) => node);
     el.append(
       this.#presets(),
       this.#bar(),
@@ -255,6 +257,7 @@ export class Workbench {
     this.responses.later();
     if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
+    this.criteria.later();
   }
 }
 
