@@ -25,7 +25,7 @@ const BRANCH = {
 };
 
 /** Angles are told in degrees. @param {string} unit @returns {[number, string]} */
-const scaleOf = (unit) => (unit === 'rad' ? [180 / Math.PI, '°'] : [1, unit]);
+export const scaleOf = (unit) => (unit === 'rad' ? [180 / Math.PI, '°'] : [1, unit]);
 
 /**
  * As scaleOf, with a power of a thousand where the numbers would be too long for the axis.

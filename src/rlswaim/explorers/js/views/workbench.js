@@ -23,6 +23,7 @@ import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine } from '../page/verdict.js';
 import { IN_S } from '../page/words_in_s.js';
 import { CompensatorPanel } from './compensator_panel.js';
+import { CriteriaCard } from './criteria_card.js';
 import { Desk } from './desk.js';
 import { FrequencyPanel } from './frequency_panel.js';
 import { helpPanel } from './help_panel.js';
@@ -30,6 +31,7 @@ import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
 import { ModePanel } from './mode_panel.js';
 import { ResponsePanel } from './response_panel.js';
+import { signsOf } from './signs_of_planes.js';
 import { TakeAway } from './take_away_panel.js';
 import { VehiclePanel } from './vehicle_panel.js';
 import { WorkbenchState } from './workbench_state.js';
@@ -45,17 +47,6 @@ import { WorkbenchState } from './workbench_state.js';
  */
 
 const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
-/** What the signs of the planes mean. @param {System} system @returns {[string, string][]} */
-const signsOf = ({ running, maps, given }) => [
-  ['×', 'open-loop pole'],
-  ['○', 'open-loop zero'],
-  ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
-  ['▸', 'rising gain'],
-  ['◇', 'crossing: gain and ω'],
-  ['•', maps.length ? `break-away; in the map, every 100 ${running[maps[0]].unit}` : 'break-away'],
-  ['╌', 'a pair whose roots left different poles'],
-  .../** @type {[string, string][]} */ (given ? [] : [['+', 'printed in the report']]),
-];
 
 export class Workbench {
   /**
@@ -75,6 +66,7 @@ export class Workbench {
     this.frequency = new FrequencyPanel(this);
     this.compensator = new CompensatorPanel(this);
     this.takeAway = new TakeAway(this);
+    this.criteria = new CriteriaCard(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
     this.signs = legend(signsOf(this.system));
@@ -118,7 +110,8 @@ export class Workbench {
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
     const compensator = this.state.places.length ? [this.compensator] : [];
-    const panels = [poles, this.vehicle, ...compensator, ...this.parts, this.takeAway].map(
+    const criteria = this.system.loop ? [] : [this.criteria];
+    const panels = [poles, this.vehicle, ...compensator, ...this.parts, ...criteria, this.takeAway].map(
       ({ node }) => node,
     );
     const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
@@ -291,6 +284,7 @@ export class Workbench {
     this.frequency.later();
     if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
+    this.criteria.later();
   }
 }
 
