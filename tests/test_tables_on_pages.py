@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "book" / "extensions"))
-from typeset_tables import typeset
+from typeset_tables import in_html, typeset
 
 HTML = Path(__file__).parent.parent / "_build" / "html"
 BOOK = Path(__file__).parent.parent / "book"
@@ -34,6 +34,12 @@ def set_as(text: str) -> str:
 )
 def test_a_cell_sets_its_symbols(text, wanted):
     assert set_as(text) == wanted
+
+
+def test_a_table_of_pandas_is_set_too():
+    table = '<table class="dataframe"><tr><th>K_A</th><td>ft &lt; s^2</td><td>&nbsp;</td></tr></table>'
+    wanted = "<th><em>K</em><sub><em>A</em></sub></th><td>ft &lt; s<sup>2</sup></td>"
+    assert wanted in in_html(table)
 
 
 def test_indices_stand_below_each_other():
