@@ -29,6 +29,7 @@ def set_as(text: str) -> str:
         ("s^8", "<emphasis>s</emphasis><superscript>8</superscript>"),
         ("delta rate", "<emphasis>δ</emphasis> rate"),
         ("pade_order of jet_lb", "pade_order of jet_lb"),
+        ("eq75-K_A", "eq75-K_A"),
         ("no symbol, 10 percent", "no symbol, 10 percent"),
     ],
 )
@@ -62,7 +63,9 @@ def cells(page: str) -> list[str]:
 
 @pytest.mark.parametrize("page", PAGES)
 def test_no_table_of_a_page_has_bare_symbols(site, page):
-    assert [cell for cell in cells(page) if BARE.search(cell)] == []
+    names_of_rows = re.compile(r"[a-z]+\d*-\S+")
+    texts = [cell for cell in cells(page) if not names_of_rows.fullmatch(cell)]
+    assert [cell for cell in texts if BARE.search(cell)] == []
 
 
 @pytest.mark.parametrize("typed", ["K_A", "omega", "phi_1"])

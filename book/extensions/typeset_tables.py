@@ -16,8 +16,8 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from rlswaim.edition.notation import GREEK
 
 LETTERS = "|".join(sorted(GREEK, key=len, reverse=True))
-INDEX = rf"(?:(?:{LETTERS}|q)?\d?[a-z]?(?:dot)?|CG|sp|fl|ins|tvc|[A-Za-z]{{1,2}}\d?)"
-SYMBOL = rf"\b(?:(?:[A-Za-z]|kK|calM|[FQ][12]|{LETTERS})(?:_{INDEX})+|{LETTERS})(?:dot)?\b"
+INDEX = rf"(?:\d?(?:{LETTERS}|q)?\d?[a-z]?(?:dot)?|CG|sp|fl|ins|tvc|[A-Za-z]{{1,2}}\d?)"
+SYMBOL = rf"\b(?<!\w-)(?:(?:[A-Za-z]|kK|calM|[FQ][12]|{LETTERS})(?:_{INDEX})+|{LETTERS})(?:dot)?\b"
 POWER = r"(?<=[\w)])\^-?\d+"
 PARTS = re.compile(f"(?P<symbol>{SYMBOL})|(?P<power>{POWER})")
 KEPT = (nodes.math, nodes.literal, nodes.raw, nodes.emphasis, nodes.subscript)
@@ -27,14 +27,14 @@ DOT = "\N{COMBINING DOT ABOVE}"
 def letter(name: str) -> list[nodes.Node]:
     """Return a letter, a Greek one by its name, with a dot for a rate and its number below."""
     plain = name.removesuffix("dot")
-    found, digits = re.fullmatch(r"([A-Za-z]*)(\w*)", plain).groups()  # type: ignore[union-attr]
+    count, found, digits = re.fullmatch(r"(\d*)([A-Za-z]*)(\w*)", plain).groups()  # type: ignore[union-attr]
     if found in GREEK:
         size = "SMALL" if found.islower() else "CAPITAL"
         found = unicodedata.lookup(f"GREEK {size} LETTER {found.upper()}")
-    if not found:
-        return [nodes.Text(digits)]
+    before = [nodes.Text(count)] if count else []
     below = [nodes.subscript("", digits)] if digits else []
-    return [nodes.emphasis("", found + (DOT if plain != name else "")), *below]
+    at = [nodes.emphasis("", found + (DOT if plain != name else ""))] if found else []
+    return [*before, *at, *below]
 
 
 def symbol(name: str) -> list[nodes.Node]:
