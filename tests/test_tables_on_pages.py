@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "book" / "extensions"))
-from typeset_tables import typeset
+from typeset_tables import in_html, typeset
 
 HTML = Path(__file__).parent.parent / "_build" / "html"
 BOOK = Path(__file__).parent.parent / "book"
@@ -29,11 +29,18 @@ def set_as(text: str) -> str:
         ("s^8", "<emphasis>s</emphasis><superscript>8</superscript>"),
         ("delta rate", "<emphasis>δ</emphasis> rate"),
         ("pade_order of jet_lb", "pade_order of jet_lb"),
+        ("eq75-K_A", "eq75-K_A"),
         ("no symbol, 10 percent", "no symbol, 10 percent"),
     ],
 )
 def test_a_cell_sets_its_symbols(text, wanted):
     assert set_as(text) == wanted
+
+
+def test_a_table_of_pandas_is_set_too():
+    table = '<table class="dataframe"><tr><th>K_A</th><td>ft &lt; s^2</td><td>&nbsp;</td></tr></table>'
+    wanted = "<th><em>K</em><sub><em>A</em></sub></th><td>ft &lt; s<sup>2</sup></td>"
+    assert wanted in in_html(table)
 
 
 def test_indices_stand_below_each_other():
@@ -56,7 +63,9 @@ def cells(page: str) -> list[str]:
 
 @pytest.mark.parametrize("page", PAGES)
 def test_no_table_of_a_page_has_bare_symbols(site, page):
-    assert [cell for cell in cells(page) if BARE.search(cell)] == []
+    names_of_rows = re.compile(r"[a-z]+\d*-\S+")
+    texts = [cell for cell in cells(page) if not names_of_rows.fullmatch(cell)]
+    assert [cell for cell in texts if BARE.search(cell)] == []
 
 
 @pytest.mark.parametrize("typed", ["K_A", "omega", "phi_1"])

@@ -7,7 +7,7 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 VIEW = "application/vnd.jupyter.widget-view+json"
-BEGINS = "Reading time"
+BEGINS, PLACE = "Reading time", "live-view"
 
 
 def is_live(node: nodes.Node) -> bool:
@@ -27,11 +27,12 @@ class FirstView(SphinxPostTransform):
         view, paragraph = next(self.document.findall(is_live), None), next(times, None)
         if view is None or paragraph is None:
             return
-        section = view.parent
+        cell, section = view.parent.parent, view.parent
         while not isinstance(section, nodes.section):
             section = section.parent
+        cell["ids"].append(PLACE)
         title = next(section.findall(nodes.title)).astext()
-        button = nodes.reference("", title, refid=section["ids"][0], classes=["to-view"], internal=True)
+        button = nodes.reference("", title, refid=PLACE, classes=["to-view"], internal=True)
         paragraph.insert(0, [button, nodes.Text(" ")])
 
 
