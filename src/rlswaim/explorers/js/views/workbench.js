@@ -46,7 +46,7 @@ const signsOf = ({ running, maps }) => [
   ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
   ['▸', 'rising gain'],
   ['◇', 'crossing: gain and ω'],
-  ['•', `break-away; in the map, every 100 ${running[maps[0]].unit}`],
+  ['•', `break-away; in the map, every ${running[maps[0]].every ?? 100} ${running[maps[0]].unit}`],
   ['╌', 'a pair whose roots left different poles'],
   ['+', 'printed in the report'],
 ];

@@ -150,14 +150,19 @@ export class WorkbenchState extends ParameterState {
     return grid[Math.min(Math.max(next + places - Math.sign(places), 0), grid.length - 1)];
   }
 
+  /** The values of the parameters that are this view's own. @param {Values} values @returns {Values} */
+  #ownOf(values) {
+    return Object.fromEntries(this.own.map(({ name }) => [name, values[name]]));
+  }
+
   reset() {
     this.shown = { ...this.start };
-    this.set({ ...this.base.initial, magnify: this.base.magnify ?? 1 });
+    this.set({ ...this.#ownOf(this.base.initial), magnify: this.base.magnify ?? 1 });
   }
 
   /** The window is no part of a step of the history. */
   snapshot() {
-    return JSON.stringify([this.values, { ...this.shown, camera: null }, this.magnify]);
+    return JSON.stringify([this.#ownOf(this.values), { ...this.shown, camera: null }, this.magnify]);
   }
 
   /** @param {string} snapshot */
@@ -171,7 +176,7 @@ export class WorkbenchState extends ParameterState {
   toAddress() {
     const { values, shown, start } = this;
     /** @type {Values} */
-    const all = holds(this.base.initial, values) ? {} : { ...this.told };
+    const all = holds(this.#ownOf(this.base.initial), values) ? {} : { ...this.told };
     for (const name of /** @type {(keyof Shown)[]} */ (Object.keys(start)))
       if (name !== 'camera' && shown[name] !== start[name]) all[`view.${name}`] = shown[name];
     const { camera } = shown;
