@@ -97,7 +97,7 @@ def test_the_family_in_coefficients_is_the_loop_around_a_rebuilt_vehicle(system)
     gains |= {"kK_z": 1e5, "K_r": 9.0, "b": 3.0}
     chosen = {name: gains[name] for name in system.gains}
     factors = system.around(eqs).factors(**chosen, **stations)
-    family = vehicle_family(system, EQUATIONS)
+    family = vehicle_family(system, eqs.U)
     values = {**factors, **eqs.coefficients, GRAVITY: eqs.gravity, **jet_factors(eqs)}
     found = np.linalg.eigvals(family.matrices(values))
     wanted = system.function(eqs, **chosen, **stations).poles()

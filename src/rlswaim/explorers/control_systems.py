@@ -54,14 +54,32 @@ def payload(view: View, eqs: PerturbationEquations, polynomial: MultiAffine) -> 
     polynomial : MultiAffine
         Of the view's system around ``eqs``.
     """
+    parameters = (*view.parameters(eqs), *data_parameters())
+    return {
+        **loop_payload(view, eqs),
+        "parameters": [p.told for p in parameters],
+        "terms": [term._asdict() for term in polynomial.terms],
+        "shapes": view.shape_values(eqs),
+        "vehicle": _vehicle(eqs),
+        "plant": plant(view.system, eqs),
+        "dispersed": dispersed_data(),
+    }
+
+
+def loop_payload(view: View, eqs: PerturbationEquations) -> dict[str, Any]:
+    """Return what the browser gets of a control system beside the vehicle in it.
+
+    Parameters
+    ----------
+    view : View
+    eqs : PerturbationEquations
+        Their poles have names, and their designs are the presets.
+    """
     jet = {"valve": COLORS["jet"]} if "K_r" in view.system.actuators else {}
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in view.loci) else {}
     return {
         "system": view.name,
-        "parameters": [p.told for p in (*view.parameters(eqs), *data_parameters())],
-        "terms": [term._asdict() for term in polynomial.terms],
         "units": {name: UNITS[name] for name in view.system.outputs},
-        "shapes": view.shape_values(eqs),
         "choice": {"name": "feedback", "zero": {"total": [], "rigid body": list(AT_GYRO)}}
         if view.choice
         else None,
@@ -78,10 +96,7 @@ def payload(view: View, eqs: PerturbationEquations, polynomial: MultiAffine) -> 
             },
         },
         "maps": list(view.system.stations),
-        "vehicle": _vehicle(eqs),
         "presets": presets(view.section, eqs, view.loci),
-        "plant": plant(view.system, eqs),
-        "dispersed": dispersed_data(),
         "python": {
             "function": view.system.function.__name__,
             "equations": _source(eqs),
@@ -94,12 +109,15 @@ def payload(view: View, eqs: PerturbationEquations, polynomial: MultiAffine) -> 
 def _vehicle(eqs: PerturbationEquations) -> dict[str, Any]:
     """Return what a picture of the bent vehicle needs: stations (ft), speed (ft/s) and mode shapes."""
     return {
-        "length": LENGTH,
-        "thrust": swaim_booster().thrust_station,
-        "l_CG": eqs.l_CG,
-        "U": eqs.U,
+        **vehicle_scales(eqs),
         **{f"phi_{i + 1}": nodes(mode) for i, mode in enumerate(eqs.modes)},
     }
+
+
+def vehicle_scales(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return the vehicle's length, the places of thrust and center of gravity (ft), and its speed (ft/s)."""
+    thrust = swaim_booster().thrust_station
+    return {"length": LENGTH, "thrust": thrust, "l_CG": eqs.l_CG, "U": eqs.U}
 
 
 def _source(eqs: PerturbationEquations) -> str:

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from rlswaim.explorers.coupled_vehicle import own_values
-from rlswaim.explorers.coupled_vehicle import parameters as vehicle_parameters
 from rlswaim.explorers.parameter import Parameter, Value
+from rlswaim.explorers.vehicle_parameters import own_values
+from rlswaim.explorers.vehicle_parameters import parameters as vehicle_parameters
 from rlswaim.loops.control_systems import ControlSystem
 from rlswaim.loops.vehicle_family import GRAVITY, jet_factors, vehicle_family
 from rlswaim.practice.dispersed import drawn
@@ -28,7 +28,7 @@ from rlswaim.vehicle.other_data import with_other_data
 DATA = ("q_D", "C_payload", "C_fins", "omega_1", "omega_2")
 WEIGHT = ("left out", "kept")
 """Eq. 1's weight across the path, as Eq. 29 has it and as Eq. 1 has it."""
-DRAWS = 200
+DRAWS = 100
 DISPERSED = {
     "q_D": "q_D",
     "C_payload": "lift_1",
@@ -104,15 +104,16 @@ def _shapes_at_surfaces(booster: Booster) -> dict[str, float]:
     return {f"{n}_{s.name}": float(at(n, stations=s.station)) for n in names for s in booster.surfaces}
 
 
-def matrices(system: ControlSystem, eqs: PerturbationEquations) -> dict[str, Any]:
+def matrices(system: ControlSystem, U: float) -> dict[str, Any]:
     """Return the closed loop's matrices [A B; C D] for the script: row, column, weight, factors.
 
     Parameters
     ----------
     system : ControlSystem
-    eqs : PerturbationEquations
+    U : float
+        Speed (ft/s).
     """
-    family = vehicle_family(system, eqs)
+    family = vehicle_family(system, U)
     n, outputs = len(family.states), [*family.outputs]
     shown = {n + outputs.index(name): n + i for i, name in enumerate(system.outputs)}
     entries = [
@@ -141,9 +142,10 @@ def plant(system: ControlSystem, eqs: PerturbationEquations) -> dict[str, Any]:
     """
     booster = swaim_booster()
     return {
-        **matrices(system, eqs),
+        **matrices(system, eqs.U),
         "coefficients": coefficient_sums(eqs, booster),
         "parameters": [*DATA, "gravity"],
+        "folded": [*DATA, "gravity"],
         "own": data_values(eqs),
         "weights": dict(zip(WEIGHT, (0.0, booster.flight.weight_across), strict=True)),
     }

@@ -8,7 +8,7 @@ import control
 
 from rlswaim.loops.control_systems import ControlSystem
 from rlswaim.loops.family import Family
-from rlswaim.vehicle.equations import PerturbationEquations
+from rlswaim.vehicle.equations import PerturbationEquations, printed_equations
 
 GRAVITY = "Z_theta"
 ROUNDING = 1e-12
@@ -21,20 +21,20 @@ def jet_factors(eqs: PerturbationEquations) -> dict[str, float]:
 
 
 @lru_cache(maxsize=16)
-def vehicle_family(system: ControlSystem, eqs: PerturbationEquations) -> Family:
-    """Return the closed loops of a control system around vehicles with the speed and the modes of ``eqs``.
+def vehicle_family(system: ControlSystem, U: float) -> Family:
+    """Return the closed loops of a control system around vehicles with the speed ``U`` (ft/s).
 
     Parameters
     ----------
     system : ControlSystem
-    eqs : PerturbationEquations
-        Its coefficients do not count.
+    U : float
 
     Returns
     -------
     Family
         Factors: those of the system, Eq. 29's coefficients, ``Z_theta`` (gravity) and `jet_factors`.
     """
+    eqs = replace(printed_equations(), U=U)  # its coefficients do not count
     names = [*eqs.coefficients, GRAVITY]
     jets = jet_factors(eqs) if "jet" in system.stations else {}
 

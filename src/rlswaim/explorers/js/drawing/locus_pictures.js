@@ -46,13 +46,13 @@ export function drawLocus(g, view, theme, locus, extra) {
  * @param {Graphics} g @param {View} view @param {Theme} theme
  * @param {NamedRoots} present the poles where the station is
  * @param {Point[][]} sides traced from there to both ends
- * @param {string} unit of what runs
+ * @param {{ unit: string, every?: number }} running a dot stands at every so many of its unit
  */
-export function drawMap(g, view, theme, present, sides, unit) {
+export function drawMap(g, view, theme, present, sides, { unit, every = 100 }) {
   const names = present.branches;
   /** @param {Point} p @param {(i: number, y: number) => Layer} layer */
   const upper = (p, layer) => Array.from(p.y, (y, i) => (y >= 0 ? layer(i, y) : () => {}));
-  const hundreds = sides.flat().filter(({ t }) => t % 100 === 0);
+  const hundreds = sides.flat().filter(({ t }) => t % every === 0);
   /** @param {Point} end @param {number} i */
   const moved = (end, i) => Math.hypot(end.x[i] - present.x[i], end.y[i] - present.y[i]) * view.scale;
   const ends = sides.map((side) => side.at(-1));

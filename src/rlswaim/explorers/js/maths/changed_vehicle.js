@@ -2,14 +2,16 @@
 // the closed loop's matrices.
 
 import { roots } from './aberth.js';
+import { flightAt } from './burn.js';
 import { characteristicTerms, numeratorsFrom } from './closed_loop_forms.js';
 import { throughCompensator } from './compensated.js';
 import { once } from './kept_values.js';
 import { BLIND } from './line_quality.js';
 import { matchRoots } from './match_roots.js';
+import { shapesAlong, shapesNear, valuesAtFeet } from './shapes.js';
 import { factorsOf, polynomial } from './terms.js';
 import { trace } from './tracing.js';
-import { coefficientsAt, dataKey, isOwnVehicle } from './vehicle_data.js';
+import { bentBy, coefficientsAt, dataKey, isOwnVehicle } from './vehicle_data.js';
 
 /** @typedef {import('./terms.js').System} System */
 /** @typedef {import('./terms.js').State} State */
@@ -39,6 +41,12 @@ function changed(system, state) {
   const given = { ...system, base: system, numerators: undefined };
   given.terms = characteristicTerms(plant, coefficients, gainsOf(system));
   given.poles = polesOf(system, coefficients);
+  if (plant.burn) {
+    const bent = bentBy(plant, state);
+    given.shapes = shapesAlong(system.shapes, bent);
+    given.vehicle = { ...system.vehicle, l_CG: bent.l_CG, U: flightAt(plant.burn, state).U };
+    for (const mode of [0, 1]) given.vehicle[`phi_${mode + 1}`] = valuesAtFeet(bent, 'deflection', mode);
+  }
   return given;
 }
 
@@ -102,10 +110,11 @@ function polesOf(system, coefficients) {
 }
 
 /** All factors of the matrices. @param {System} system @param {State} state */
-const valuesAt = (system, state) => ({
-  ...coefficientsAt(system.plant, state),
-  ...factorsOf(system, state),
-});
+function valuesAt(system, state) {
+  const { plant } = system;
+  const shapes = plant.burn ? shapesNear(system, bentBy(plant, state), state) : system.shapes;
+  return { ...coefficientsAt(plant, state), ...factorsOf({ ...system, shapes }, state) };
+}
 
 /**
  * The closed loop's polynomial around any vehicle, all at the numbers of the state.

@@ -6,7 +6,7 @@
 /** @typedef {{ re: number, im: number, branch: string, at?: string, each?: ArrayLike<number> }} OpenPole */
 /**
  * What Python sends of a control system (see payload in control_systems.py).
- * @typedef {{ terms: Term[], shapes: Record<string, { at: string, values: ArrayLike<number> }>,
+ * @typedef {{ terms: Term[], shapes: Record<string, import('./shapes.js').Shape>,
  *   choice?: { name: string, zero: Record<string, string[]> }, closing: string[], maps: string[],
  *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,

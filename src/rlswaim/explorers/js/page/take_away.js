@@ -1,5 +1,6 @@
 // What a reader takes away: a picture, the poles, a link, the call of the library.
 import { SvgContext } from '../drawing/svg.js';
+import { flightAt } from '../maths/burn.js';
 
 /** @import { Graphics, Values } from '../types.d.ts' */
 
@@ -78,6 +79,10 @@ export async function copy(text) {
  * @param {Values} values
  */
 function equationsOf(own, plant, values) {
+  if (plant?.burn) {
+    const { U, q_D } = flightAt(plant.burn, values);
+    return `${own}(${values.t}, U=${U}, q_D=${q_D})`;
+  }
   const changes = (plant?.parameters ?? [])
     .filter((name) => values[name] !== plant.own[name])
     .map(
@@ -103,6 +108,7 @@ export function pythonOf({ python, plant }, values) {
   const made = python.equations
     ? [
         'import rlswaim as rl',
+        ...(plant?.burn ? [`from rlswaim.practice.burn import ${python.equations}`] : []),
         '',
         `eqs = ${equationsOf(python.equations, plant, values)}`,
         `loop = rl.${python.function}(eqs, `,

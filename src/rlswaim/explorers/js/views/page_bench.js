@@ -16,8 +16,9 @@ export class PageBench {
     const { parameters, plant } = payload;
     const start = { ...plant.own, ...initial };
     this.model = new PageModel({ payload: { ...payload, initial: start }, magnify: 1, ...start });
-    const gains = parameters.filter((parameter) => !plant.parameters.includes(parameter.name));
-    this.rows = new ParameterRows(gains, this.model);
+    const own = payload.own ?? parameters.map((parameter) => parameter.name);
+    const shown = parameters.filter(({ name: of }) => own.includes(of) && !plant.folded.includes(of));
+    this.rows = new ParameterRows(shown, this.model);
     const root = element('div', { 'data-name': name }, this.rows.node);
     this.node = element('div', { class: 'bench' }, root);
     this.workbench = new Workbench(this.model, root, { shared });

@@ -9,7 +9,12 @@ export const signsOf = ({ running, maps, given }) => [
   ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
   ['▸', 'rising gain'],
   ['◇', 'crossing: gain and ω'],
-  ['•', maps.length ? `break-away; in the map, every 100 ${running[maps[0]].unit}` : 'break-away'],
+  [
+    '•',
+    maps.length
+      ? `break-away; in the map, every ${running[maps[0]].every ?? 100} ${running[maps[0]].unit}`
+      : 'break-away',
+  ],
   ['╌', 'a pair whose roots left different poles'],
   .../** @type {[string, string][]} */ (given ? [] : [['+', 'printed in the report']]),
 ];

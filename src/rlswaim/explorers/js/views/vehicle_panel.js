@@ -11,7 +11,7 @@ export class VehiclePanel {
     this.bench = bench;
     const { base, model, own } = bench.state;
     const { plant, dispersed } = base;
-    const named = own.filter(({ name }) => plant?.parameters.includes(name));
+    const named = own.filter(({ name }) => plant?.folded.includes(name));
     this.rows = new ParameterRows(named, model);
     this.cloud = new DispersedCloud(bench);
     this.back = button("The report's vehicle", () => bench.state.set(plant.own));

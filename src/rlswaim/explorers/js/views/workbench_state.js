@@ -198,14 +198,20 @@ export class WorkbenchState extends ParameterState {
     return grid[Math.min(Math.max(next + places - Math.sign(places), 0), grid.length - 1)];
   }
 
+  /** The values of the parameters that are this view's own. @param {Values} values @returns {Values} */
+  #ownOf(values) {
+    return Object.fromEntries(this.own.map(({ name }) => [name, values[name]]));
+  }
+
   reset() {
     this.shown = { ...this.start, desk: this.shown.desk };
-    this.set({ ...this.base.initial, magnify: this.base.magnify ?? 1 });
+    this.set({ ...this.#ownOf(this.base.initial), magnify: this.base.magnify ?? 1 });
   }
 
   /** The window and the desk are no part of a step of the history. */
   snapshot() {
-    return JSON.stringify([this.values, { ...this.shown, camera: null, desk: null }, this.magnify]);
+    const shown = { ...this.shown, camera: null, desk: null };
+    return JSON.stringify([this.#ownOf(this.values), shown, this.magnify]);
   }
 
   /** @param {string} snapshot */
@@ -219,7 +225,7 @@ export class WorkbenchState extends ParameterState {
   toAddress() {
     const { values, shown, start } = this;
     /** @type {Values} */
-    const all = holds(this.base.initial, values) ? {} : { ...this.told };
+    const all = holds(this.#ownOf(this.base.initial), values) ? {} : { ...this.told };
     for (const name of /** @type {(keyof Shown)[]} */ (Object.keys(start)))
       if (name !== 'camera' && name !== 'desk' && shown[name] !== start[name])
         all[`view.${name}`] = shown[name];
