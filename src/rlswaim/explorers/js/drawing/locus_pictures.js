@@ -1,18 +1,21 @@
 // The two pictures of the s plane: the root locus, and the map of the poles over a station.
 import { branches, crosses, crossing, directions, poles } from './locus_marks.js';
 import { dot, label, plus, ring } from './marks.js';
+import { requiredRegion } from './required_region.js';
 import { originInset, sPlane } from './s_plane.js';
 
 /** @import { Graphics, Locus, NamedRoots, Point, Pole, Theme, View } from '../types.d.ts' */
 /** @import { Layer } from './plane.js' */
+/** @import { Region } from './required_region.js' */
 /**
- * @typedef {{ printed: Pole[], selected: Pole, inset: { view: View, locus: Locus, magnify: number } }} Extra
+ * @typedef {{ printed: Pole[], selected: Pole, region: Region, inset: { view: View, locus: Locus, magnify: number } }} Extra
  */
 
 /** @param {Locus} locus @param {Theme} theme @param {Extra} extra @returns {Layer[]} */
-function marksOf(locus, theme, { printed, selected }) {
+function marksOf(locus, theme, { printed, selected, region }) {
   const names = locus.open.branches;
   return [
+    requiredRegion(region),
     branches(locus.branches, names),
     directions(locus.branches, names),
     ...locus.breaks.map(({ x, y }) => dot(x, Math.abs(y), theme.ink)),

@@ -7,6 +7,7 @@ import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { gainAt } from '../maths/gain_at.js';
 import { rootLocus } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
+import { regionOf } from '../maths/requirements.js';
 import { button, element, group, press, set, symbol } from '../page/elements.js';
 import { movable, movableByKeys, placeOn } from '../page/movable_point.js';
 import { number } from '../page/numbers.js';
@@ -208,6 +209,7 @@ export class LocusPlane {
     this.extra = {
       printed: state.isDesign(printed) ? roots : [],
       selected: this.bench.selected(closed),
+      region: regionOf(state.asked),
       inset: this.inset,
     };
     this.paint(contextOf(this.canvas, width, height));

@@ -3,6 +3,7 @@ import { isWindow } from '../drawing/camera.js';
 import { MOST } from '../maths/compensator.js';
 import { leftOut } from '../page/address_values.js';
 import { compensatorFrom } from '../page/compensator_text.js';
+import { askedFrom } from '../page/requirement_text.js';
 import { DURATIONS, GUSTS } from './excitations.js';
 import { PICTURES } from './frequency_panel.js';
 
@@ -52,6 +53,7 @@ export function shownFrom(state, texts) {
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
   take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
   take('compensator', (text) => (compensatorFrom(text, state.places) ? text : undefined));
+  take('requirements', (text) => (askedFrom(text) ? text : undefined));
   take('window', windowFrom);
   const { magnify, window, ...shown } = found;
   return { shown: window ? { ...shown, camera: window } : shown, magnify, notes };

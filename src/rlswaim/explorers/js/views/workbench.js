@@ -27,6 +27,7 @@ import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
 import { ModePanel } from './mode_panel.js';
+import { RequirementPanel } from './requirement_panel.js';
 import { ResponsePanel } from './response_panel.js';
 import { TakeAway } from './take_away_panel.js';
 import { WorkbenchState } from './workbench_state.js';
@@ -64,6 +65,7 @@ export class Workbench {
     this.mode = new ModePanel(this);
     this.frequency = new FrequencyPanel(this);
     this.compensator = new CompensatorPanel(this);
+    this.requirements = new RequirementPanel(this);
     this.takeAway = new TakeAway(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
@@ -87,6 +89,7 @@ export class Workbench {
         if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
         if ('view.frequency' in texts) this.frequency.node.open = true;
         if ('view.compensator' in texts) this.compensator.node.open = true;
+        if ('view.requirements' in texts) this.requirements.node.open = true;
       },
       stop: () => this.#end(),
     });
@@ -99,7 +102,9 @@ export class Workbench {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
-    const panels = [poles, this.compensator, ...this.parts, this.takeAway].map(({ node }) => node);
+    const panels = [poles, this.compensator, this.requirements, ...this.parts, this.takeAway].map(
+      ({ node }) => node,
+    );
     el.append(
       this.#presets(),
       this.#bar(),
@@ -255,6 +260,7 @@ export class Workbench {
     this.loci.choose(state.shown.locus);
     this.inset.choose(state.magnify);
     this.compensator.show();
+    this.requirements.show();
   }
 
   /** Words that may lag a little behind the pictures. */

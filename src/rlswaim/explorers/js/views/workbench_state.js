@@ -3,6 +3,7 @@
 import { compensated } from '../maths/compensated.js';
 import { compensatorFrom } from '../page/compensator_text.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
+import { askedFrom } from '../page/requirement_text.js';
 import { excitationsOf } from './excitations.js';
 import { shownFrom } from './shown_from_address.js';
 
@@ -19,6 +20,7 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} duration s
  * @property {number} gust s
  * @property {string} compensator as in the address, empty for none
+ * @property {string} requirements as in the address, empty for none
  * @property {string} frequency which picture of the frequency response
  */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
@@ -57,6 +59,7 @@ export class WorkbenchState extends ParameterState {
       gust: 2,
       frequency: 'bode',
       compensator: '',
+      requirements: '',
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -97,6 +100,11 @@ export class WorkbenchState extends ParameterState {
   get compensator() {
     this.#read();
     return this.kept.compensator;
+  }
+
+  /** What is asked of the loop. */
+  get asked() {
+    return askedFrom(this.shown.requirements) ?? {};
   }
 
   /** The system with the compensator in its loop. @returns {System} */
