@@ -20,7 +20,7 @@ def ask(page: Page, kind: str, bound: float) -> str:
     box = row(page, kind).locator("input[type=text]")
     box.fill(f"{bound:g}")
     one(page, lambda: box.press("Enter"))
-    return row(page, kind).locator(".said").inner_text()
+    return row(page, kind).locator(".reading").inner_text()
 
 
 @pytest.fixture
@@ -46,7 +46,7 @@ def test_each_holds_up_to_what_the_loop_has(bench):
     overshoot = 100 * np.exp(-np.pi * zeta / np.sqrt(1 - zeta**2))
     assert ask(bench, "overshoot", overshoot - 0.5).startswith("does not hold")
     assert ask(bench, "overshoot", overshoot + 0.2).startswith("holds")
-    summary = bench.locator(f"{PANEL} .crossings").first.inner_text()
+    summary = bench.locator(f"{PANEL} .told").first.inner_text()
     assert summary.startswith("Requirements: 5 of 6 not met")
 
 
@@ -62,7 +62,7 @@ def test_the_region_is_hatched_and_goes_again(bench):
 def test_words_follow_the_sliders(bench):
     assert ask(bench, "phase", 20).startswith("holds")
     show(bench, loop_gain=100.0)
-    assert row(bench, "phase").locator(".said").inner_text() == "does not hold: the loop is not stable"
+    assert row(bench, "phase").locator(".reading").inner_text() == "does not hold: the loop is not stable"
 
 
 def test_a_link_brings_them_along(browser, bench):
@@ -73,7 +73,7 @@ def test_a_link_brings_them_along(browser, bench):
         other.wait_for_function("panel => el.querySelector(panel).open", arg=PANEL)
         other.wait_for_timeout(200)
         assert row(other, "zeta").locator("input[type=text]").input_value() == "0.25"
-        assert row(other, "phase").locator(".said").inner_text().startswith("does not hold")
+        assert row(other, "phase").locator(".reading").inner_text().startswith("does not hold")
 
 
 @pytest.mark.parametrize("text", ["zeta_2", "x_1", "__proto___1", "sigma_1e308", "zeta_NaN"])
@@ -86,3 +86,15 @@ def test_nonsense_is_left_out(browser, text):
             "view.requirements from the address is not one that can be shown"
             in page.locator("output").inner_text()
         )
+
+
+def test_required_margins_are_hatched_in_the_nichols_diagram(bench):
+    bench.evaluate("el.querySelector('[data-panel=frequency]').open = true")
+    bench.locator("canvas[data-plane=frequency]").scroll_into_view_if_needed()
+    bench.locator("[data-panel=frequency] select").first.select_option("nichols")
+    bench.wait_for_timeout(300)
+    before = picture(bench, "frequency")
+    ask(bench, "phase", 40)
+    bench.locator("canvas[data-plane=frequency]").scroll_into_view_if_needed()
+    bench.wait_for_timeout(300)
+    assert picture(bench, "frequency") != before

@@ -8,7 +8,7 @@ import { straight } from './frequency_axes.js';
 const APART = 9; // px between lines of the hatch
 
 /** @param {Plane} plane @param {number[]} corners px */
-function hatch({ g, view, theme }, corners) {
+export function hatch({ g, view, theme }, corners) {
   const { x, y, w, h } = view.frame;
   g.save();
   g.beginPath();

@@ -54,8 +54,8 @@ export class FrequencyPanel {
     });
     this.reaches.choose(this.reach);
     this.stage = element('div', { class: 'over' }, this.canvas);
-    this.readout = element('span', { class: 'said' });
-    this.words = element('p', { class: 'crossings' });
+    this.readout = element('span', { class: 'reading' });
+    this.words = element('p', { class: 'told' });
     const save = button('Picture (SVG)', () => this.#save());
     const row = element('div', { class: 'controls' }, this.kinds.node, this.reaches.node, save, this.readout);
     const title = 'Frequency response';
@@ -143,9 +143,10 @@ export class FrequencyPanel {
     const { system, state } = this.bench;
     /** @type {CutLoop} */
     this.cut = cutLoop(system, state.values, state.what);
-    const { gain, loop, poles } = this.cut;
-    const found = this.cut.period ? null : marginsOf(loop, gain);
-    if (gain === 0 || !(this.cut.parts.gain !== 0)) return null;
+    const { gain: k, loop, poles } = this.cut;
+    const { gain = 0, phase = 0 } = state.asked;
+    const found = this.cut.period ? null : marginsOf(loop, k);
+    if (k === 0 || !(this.cut.parts.gain !== 0)) return null;
     const modes = modesOf(poles);
     const curve = frequencyResponse(this.cut, found ? crossingsOf(found) : []);
     if (curve.omega.length < 2) return null;
@@ -158,7 +159,7 @@ export class FrequencyPanel {
     this.modes = modes;
     const marks = this.cut.isStable ? marksOfMargins(found, (omega) => sampleAt(this.cut, curve, omega)) : [];
     this.margins = found;
-    return { curve, modeOf, lobes, margins: marks, marked: null };
+    return { curve, modeOf, lobes, margins: marks, marked: null, asked: { gain, phase } };
   }
 
   /** @param {number} width */

@@ -8,7 +8,7 @@ import { foundWords, isSensible, textOfAsked } from '../page/requirement_text.js
 /** @import { Workbench } from './workbench.js' */
 
 const EXPLAINED =
-  'The hatched part of the s plane is where no pole may be. Settling time and overshoot are told by the poles: ' +
+  'The hatched part of the s plane is where no pole may be, that of the Nichols diagram where the curve may not be. Settling time and overshoot are told by the poles: ' +
   'the slowest of them and the least damped pair, as if it were alone. Margins are those of the loop that is cut.';
 
 export class RequirementPanel {
@@ -17,8 +17,8 @@ export class RequirementPanel {
     this.bench = bench;
     this.rows = Object.entries(ASKED).map(([kind, asked]) => this.#row(kind, asked));
     const list = element('ul', { class: 'sections' }, ...this.rows.map(({ node }) => node));
-    this.summary = element('p', { class: 'crossings' });
-    const explained = element('p', { class: 'crossings fine' }, EXPLAINED);
+    this.summary = element('p', { class: 'told' });
+    const explained = element('p', { class: 'told fine' }, EXPLAINED);
     this.panel = panel('requirements', 'Requirements', () => this.show(), list, this.summary, explained);
     this.node = this.panel.node;
   }
@@ -28,7 +28,7 @@ export class RequirementPanel {
     const check = element('input', { type: 'checkbox' });
     const input = element('input', { type: 'text', inputmode: 'decimal', size: 6, value: String(fresh) });
     input.ariaLabel = `${text}${unit ? `, ${unit}` : ''}`;
-    const said = element('span', { class: 'said' });
+    const said = element('span', { class: 'reading' });
     const label = element('label', {}, check, element('span', {}, ` ${text}`));
     const act = () => this.#ask(kind, check.checked, input.value);
     check.addEventListener('change', act);
