@@ -8,6 +8,7 @@ import { cutLoop } from '../maths/cut_loop.js';
 import { frequencyResponse, sampleAt } from '../maths/frequency_response.js';
 import { modeAt, modesOf } from '../maths/loop_modes.js';
 import { marginsOf } from '../maths/margins.js';
+import { marginsOnCurve } from '../maths/margins_on_curve.js';
 import { button, element, panel, picture, select, set } from '../page/elements.js';
 import { crossingsOf, marksOfMargins, namedMarginWords, sampleWords } from '../page/margin_names.js';
 import { movable, movableByKeys } from '../page/movable_point.js';
@@ -145,7 +146,7 @@ export class FrequencyPanel {
     this.cut = cutLoop(system, state.values, state.what);
     const { gain: k, loop, poles } = this.cut;
     const { gain = 0, phase = 0 } = state.asked;
-    const found = this.cut.period ? null : marginsOf(loop, k);
+    const found = this.cut.period ? marginsOnCurve(this.cut) : marginsOf(loop, k);
     if (k === 0 || !(this.cut.parts.gain !== 0)) return null;
     const modes = modesOf(poles);
     const curve = frequencyResponse(this.cut, found ? crossingsOf(found) : []);

@@ -1,6 +1,7 @@
 // What is asked of the closed loop: bounds that are typed here, hatched in the s plane, and told to hold or not.
 import { cutLoop } from '../maths/cut_loop.js';
 import { marginsOf } from '../maths/margins.js';
+import { marginsOnCurve } from '../maths/margins_on_curve.js';
 import { ASKED, findings } from '../maths/requirements.js';
 import { element, panel, set } from '../page/elements.js';
 import { foundWords, isSensible, textOfAsked } from '../page/requirement_text.js';
@@ -79,7 +80,9 @@ export class RequirementPanel {
 
   /** @param {any} system @param {Workbench['state']} state */
   #found(system, state) {
-    const { gain, loop, isStable } = cutLoop(system, state.values, state.what);
-    return findings(state.asked, { poles: this.bench.poles, margins: marginsOf(loop, gain), isStable });
+    const cut = cutLoop(system, state.values, state.what);
+    const { gain, loop, isStable, period } = cut;
+    const margins = period ? marginsOnCurve(cut) : marginsOf(loop, gain);
+    return findings(state.asked, { poles: this.bench.poles, margins, isStable });
   }
 }
