@@ -96,10 +96,10 @@ class TestPanel:
         before = table(bench)
         add(bench, "zero")
         assert (table(bench) == before).all()
-        assert "more zeros than poles" in bench.locator(f"{PANEL} .crossings").inner_text()
+        assert "more zeros than poles" in bench.locator(f"{PANEL} .told").inner_text()
         add(bench, "pole")
         assert len(table(bench)) == len(before) + 1
-        assert "in the path of K_A, before the actuator" in bench.locator(f"{PANEL} .crossings").inner_text()
+        assert "in the path of K_A, before its actuator" in bench.locator(f"{PANEL} .told").inner_text()
 
     def test_undo_and_reset(self, bench):
         before = table(bench)

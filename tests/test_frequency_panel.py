@@ -30,7 +30,7 @@ def open_panel(page: Page, kind: str = "bode") -> None:
 
 
 def words(page: Page) -> str:
-    return page.locator(f"{PANEL} .crossings").inner_text().replace("−", "-")
+    return page.locator(f"{PANEL} .told").inner_text().replace("−", "-")
 
 
 def box_of(page: Page) -> dict:
@@ -99,7 +99,7 @@ class TestLinks:
         before = picture(bench, "frequency")
         bench.mouse.move(box["x"] + 200, box["y"] + 80)
         bench.mouse.move(box["x"] + 201, box["y"] + 80)
-        readout = bench.locator(f"{PANEL} .said").inner_text().replace("−", "-")
+        readout = bench.locator(f"{PANEL} .reading").inner_text().replace("−", "-")
         omega, dB, degrees = map(number, re.fullmatch(r"ω (\S+) rad/s: (\S+) dB, (\S+)°", readout).groups())
         value = complex(cut(bench)(1j * omega))
         assert dB == pytest.approx(20 * np.log10(abs(value)), abs=0.15)
@@ -108,7 +108,7 @@ class TestLinks:
         ) % 360 == pytest.approx(360, abs=1)
         assert picture(bench, "frequency") != before
         bench.mouse.move(box["x"] + 200, 1)
-        assert bench.locator(f"{PANEL} .said").inner_text() == ""
+        assert bench.locator(f"{PANEL} .reading").inner_text() == ""
         assert picture(bench, "frequency") == before
 
     def test_the_axis_of_the_locus_reads_a_frequency_too(self, bench):
@@ -118,7 +118,7 @@ class TestLinks:
         assert bench.locator("[data-spot=frequency]").is_hidden()
         bench.mouse.move(x + 2, y)
         assert bench.locator("[data-spot=frequency]").is_visible()
-        read = bench.locator(f"{PANEL} .said").text_content()
+        read = bench.locator(f"{PANEL} .reading").text_content()
         assert number(re.match(r"ω (\S+) rad/s", read)[1]) == pytest.approx(3, rel=0.02)
 
     @pytest.mark.parametrize("section", VIEWS)
@@ -183,7 +183,7 @@ class TestGestures:
         read = []
         for _ in range(6):
             bench.keyboard.press("ArrowRight")
-            read.append(number(bench.locator(f"{PANEL} .said").inner_text().split()[1]))
+            read.append(number(bench.locator(f"{PANEL} .reading").inner_text().split()[1]))
         assert read == sorted(read)
         assert read[0] < read[-1]
 

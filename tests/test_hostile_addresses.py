@@ -20,6 +20,7 @@ FRESH = 50
 LONGEST = 500  # ms
 TRIES = 4
 SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify", "desk")
+SHOWN += ("frequency", "compensator", "requirements")
 NUMBERS = ["1e308", "-1e308", "1e155", "1e150", "1e60", "-1e60", "1e400", "Infinity", "-Infinity", "NaN"]
 NUMBERS += ["0", "-0", "1e-320", "-1e-300", "0x10", "1_000", "1,5", "1e", "", " ", "9" * 400, "3.5", "-1"]
 TEXTS = ["%00", "%ZZ", "%E0%A4", "<img src=x onerror=alert(1)>", "%3Cscript%3Ealert(1)%3C/script%3E"]
@@ -28,6 +29,19 @@ TEXTS += ["'\"`", "\u202e", "=", "a" * 3000]
 WINDOWS = ["1e308_1e308_1e308", "0_0_0", "0_0_-1", "1e308_0_1", "0_0_1e-300", "0_0_1e300", "0_0_1", "1_2_3_4"]
 WINDOWS += ["_", "NaN_0_1", "1e6_1e6_1e-7", "-4_-1_1e5", "0_0_1e-7", "-1e6_0_1e5", "0_1e308_16"]
 DESKS = ["52_57_", "20_80_map.poles", "52_57_map..poles", "99_99_map", "open", "52_57_a" + ".a" * 3000]
+COMPENSATORS = ["K_A~1~notch_3_0.05_0.5~delay_0.1_4~lead_-0.5_-20", "loop_gain~0.5~delay_1_4~poles_3_-1"]
+COMPENSATORS += [
+    "K_A~1e4~pole_1000~pole_0~pole_-0.01~delay_10_4~notch_1000_0_0.01",
+    "K_A~1~zero_0",
+    "K_A~1~pole_1e9",
+]
+COMPENSATORS += ["kK_z~-1~lead_-1000_-0.01~zeros_0.01_1~poles_1000_0.001", "K_z~1~" + "delay_0.1_4~" * 400]
+ASKED = [
+    "zeta_0.999~sigma_1000~settling_0.001~overshoot_0.1~gain_60~phase_179",
+    "zeta_0",
+    "sigma_1e308",
+    "gain_6",
+]
 RUBBISH = ["&&::,,==", "%", "fig-8", ":", "comparison:left", "x" * 20000]
 
 VISIT = """async (addresses) => {
@@ -90,6 +104,11 @@ def said(rng: random.Random, name: str, by: str) -> str:
         pairs["view.window"] = rng.choice(WINDOWS)
     if rng.random() < 0.1:
         pairs["view.desk"] = rng.choice(DESKS)
+    if rng.random() < 0.2:
+        pairs["view.compensator"] = rng.choice(COMPENSATORS)
+        pairs["view.frequency"] = rng.choice(["bode", "nichols", "nyquist", "all"])
+    if rng.random() < 0.2:
+        pairs["view.requirements"] = rng.choice(ASKED)
     if rng.random() < 0.2:
         pairs[rng.choice(TEXTS)] = rng.choice(NUMBERS)
     return f"{by}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())

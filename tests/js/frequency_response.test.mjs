@@ -4,6 +4,9 @@ import { test } from 'node:test';
 import { maths } from './maths.mjs';
 
 const { factored } = await maths('factored_loop');
+const { marginsOf } = await maths('margins');
+const { crossings: axisCrossings } = await maths('crossings');
+const { marginsOnCurve } = await maths('margins_on_curve');
 const { frequencyResponse, responseAt, sampleAt } = await maths('frequency_response');
 
 /** @param {number[][]} poles @param {number[][]} zeros */
@@ -88,4 +91,37 @@ test('in discrete time it is taken on the unit circle, up to half the sampling r
   const [c, s] = [Math.cos(0.5) - 0.9, Math.sin(0.5)];
   close(re, (0.2 * c) / (c * c + s * s), 1e-12);
   close(im, (-0.2 * s) / (c * c + s * s), 1e-12);
+});
+
+test('margins read off the curve are those of the polynomials', () => {
+  // 20 / (s (s + 2) (s^2 + 0.4 s + 16))
+  const im = Math.sqrt(16 - 0.04);
+  const poles = [
+    [0, 0],
+    [-2, 0],
+    [-0.2, im],
+    [-0.2, -im],
+  ];
+  const loop = loopOf(poles, [], 20);
+  const D = [0, 32, 16.8, 2.4, 1];
+  const wanted = marginsOf({ D, N: [1, 0, 0, 0, 0], crossings: () => axisCrossings(loop.parts) }, 20);
+  const found = marginsOnCurve(loop);
+  assert.deepEqual([found.gain.length, found.phase.length], [wanted.gain.length, wanted.phase.length]);
+  assert.ok(found.phase.length > 0 && found.gain.length > 0);
+  found.gain.forEach((margin, k) => {
+    close(margin.omega, wanted.gain[k].omega, 1e-9);
+    close(margin.dB, wanted.gain[k].dB, 1e-9);
+  });
+  found.phase.forEach((margin, k) => {
+    close(margin.degrees, wanted.phase[k].degrees, 1e-8);
+    close(margin.delay, wanted.phase[k].delay, 1e-8);
+  });
+});
+
+test('in discrete time an integrator with one step of delay has 60 degrees at 1/3 of half the rate', () => {
+  // L = 1/(z - 1): its size is 1 where |z - 1| = 1, at 60 degrees, where its phase is -120.
+  const { phase } = marginsOnCurve(loopOf([[1, 0]], [], 1, 0.5));
+  assert.equal(phase.length, 1);
+  close(phase[0].omega, Math.PI / 3 / 0.5, 1e-12);
+  close(phase[0].degrees, 60, 1e-10);
 });

@@ -12,9 +12,10 @@ import { Plane } from './plane.js';
  */
 /** @typedef {{ kind: string, short: string, at: Sample, governs: boolean }} MarginMark */
 /**
- * What all pictures draw: modeOf has the mode of each point of the curve, lobes those with their tops.
+ * What all pictures draw: modeOf has the mode of each point of the curve, lobes those with their tops, asked the margins
+ * that are required (dB, degrees; 0 for none).
  * @typedef {{ curve: Curve, modeOf: (Mode | undefined)[], lobes: { mode: Mode, at: Sample }[],
- *   margins: MarginMark[], marked: Sample | null }} Frequencies
+ *   margins: MarginMark[], marked: Sample | null, asked: { gain: number, phase: number } }} Frequencies
  */
 
 /** @param {Curve} curve @param {number} k @returns {Sample} */

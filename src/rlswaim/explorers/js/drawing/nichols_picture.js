@@ -1,8 +1,10 @@
 // The Nichols diagram: size in dB over phase, with lines of constant size of the closed loop.
 import { extent } from './bode_picture.js';
+import { polygon } from './context.js';
 import { coloredCurve, lobeNames, markedPoint, straight } from './frequency_axes.js';
 import { plus } from './marks.js';
 import { grid, ground, Plane } from './plane.js';
+import { hatch } from './required_region.js';
 import { frameOf, viewOf } from './view.js';
 
 /** @import { Graphics, Theme, View } from '../types.d.ts' */
@@ -79,6 +81,23 @@ function closedNumbers(plane) {
   }
 }
 
+/** About each critical point: the required margins as half diagonals, which the curve has to stay out of.
+ * @param {Frequencies['asked']} asked
+ * @returns {(x: number) => Layer}
+ */
+const requiredMargins =
+  ({ gain, phase }) =>
+  (x) =>
+  (plane) => {
+    if (!(gain > 0 || phase > 0)) return;
+    const { X, Y } = plane.view;
+    const corners = [X(x - phase), Y(0), X(x), Y(gain), X(x + phase), Y(0), X(x), Y(-gain)];
+    hatch(plane, corners);
+    plane.g.beginPath();
+    polygon(plane.g, corners);
+    plane.stroke(plane.theme.ink, 1.2);
+  };
+
 /** @param {Frequencies} frequencies @returns {Layer} */
 const marginLines =
   ({ margins }) =>
@@ -100,14 +119,15 @@ export function drawNichols(g, view, theme, frequencies) {
   const range = (view.right - view.left) / Math.max(1, view.frame.w / 44);
   const step = [30, 45, 90, 180, 360].find((size) => size >= range) ?? 720;
   const [from, to] = [Math.floor(view.left / 360), Math.ceil(view.right / 360)];
-  const critical = Array.from({ length: to - from + 1 }, (_, k) => plus(-180 + 360 * (from + k), 0, 6));
+  const critical = Array.from({ length: to - from + 1 }, (_, k) => -180 + 360 * (from + k));
   new Plane(g, view, theme)
     .layers(ground, grid(step, 20), closedGrid, closedNumbers)
     .border()
     .numbers(step, 20)
     .labels('phase of L (°)', '|L| (dB)')
     .layers(
-      ...critical,
+      ...critical.map(requiredMargins(frequencies.asked)),
+      ...critical.map((x) => plus(x, 0, 6)),
       coloredCurve(frequencies, place),
       marginLines(frequencies),
       lobeNames(frequencies, place),

@@ -38,25 +38,35 @@ function vertex([a, b, c], [p, q, r]) {
   return b - ((b - a) * left - (b - c) * right) / (2 * (left - right));
 }
 
+/** @typedef {{ w: number, value: Complex, height: number }} Point */
+
+/** @param {Loop} loop @returns {(w: number) => Point} */
+const pointOf = (loop) => (w) => {
+  const value = responseAt(loop, w);
+  return { w, value, height: decibels(value) };
+};
+
 /**
- * Where the size is largest between samples, twice as near as before in digits with each turn.
+ * Where the size is largest between points, twice as near as before in digits with each turn.
  * @param {Loop} loop
- * @param {ArrayLike<number>} omega
+ * @param {Point[]} points
  */
-function peaksOf(loop, omega) {
-  /** @param {number} w */
-  const height = (w) => decibels(responseAt(loop, w));
-  const heights = Array.from(omega, height);
+function peaksOf(loop, points) {
+  const at = pointOf(loop);
   const found = [];
-  for (let k = 1; k < omega.length - 1; k++) {
-    if (!(heights[k] > heights[k - 1] && heights[k] > heights[k + 1])) continue;
-    let at = [omega[k - 1], omega[k], omega[k + 1]];
+  for (let k = 1; k < points.length - 1; k++) {
+    let three = points.slice(k - 1, k + 2);
+    if (!(three[1].height > three[0].height && three[1].height > three[2].height)) continue;
     for (let turn = 0; turn < 3; turn++) {
-      const top = vertex(at, at.map(height));
-      if (!(top > at[0] && top < at[2]) || top === at[1]) break;
-      found.push(top);
-      const width = Math.abs(top - at[1]);
-      at = [top - width, top, top + width];
+      const places = three.map(({ w }) => w);
+      const top = vertex(
+        places,
+        three.map(({ height }) => height),
+      );
+      if (!(top > places[0] && top < places[2]) || top === places[1]) break;
+      const width = Math.abs(top - places[1]);
+      three = [top - width, top, top + width].map(at);
+      found.push(three[1]);
     }
   }
   return found;
@@ -70,10 +80,10 @@ function peaksOf(loop, omega) {
  * @returns {Curve}
  */
 export function frequencyResponse(loop, also = []) {
-  const even = frequenciesOf(loop, also);
-  const all = Float64Array.from([...even, ...peaksOf(loop, even)]).sort();
-  const values = Array.from(all, (w) => ({ w, value: responseAt(loop, w) }));
-  const kept = values.filter(({ value: [re, im] }) => Number.isFinite(re + im) && (re !== 0 || im !== 0));
+  const even = Array.from(frequenciesOf(loop, also), pointOf(loop));
+  const all = [...even, ...peaksOf(loop, even)].sort((a, b) => a.w - b.w);
+  const isNumber = (/** @type {Point} */ { height }) => Number.isFinite(height);
+  const kept = all.filter((point, k) => isNumber(point) && point.w !== all[k - 1]?.w);
   let last = -90;
   const degrees = kept.map(({ value: [re, im] }) => {
     last = near(Math.atan2(im, re) * DEGREES, last);
@@ -85,7 +95,7 @@ export function frequencyResponse(loop, also = []) {
     omega: Float64Array.from(kept, ({ w }) => w),
     re: Float64Array.from(kept, ({ value }) => value[0]),
     im: Float64Array.from(kept, ({ value }) => value[1]),
-    dB: Float64Array.from(kept, ({ value }) => decibels(value)),
+    dB: Float64Array.from(kept, ({ height }) => height),
     degrees: Float64Array.from(degrees, (angle) => angle - turn),
   };
 }

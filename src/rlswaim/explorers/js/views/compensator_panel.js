@@ -31,7 +31,7 @@ export class CompensatorPanel {
     this.add = button('Add', () => this.#add());
     this.clear = button('Take it out', () => this.bench.look({ compensator: '' }));
     this.list = element('ul', { class: 'sections' });
-    this.words = element('p', { class: 'crossings' });
+    this.words = element('p', { class: 'told' });
     const first = element('div', { class: 'controls' }, this.kinds.node, this.add, this.places.node);
     const second = element('div', { class: 'controls' }, this.gain.node, this.clear);
     this.rest = element('div', {}, second, this.list);
@@ -201,7 +201,7 @@ export class CompensatorPanel {
       return 'It has more zeros than poles, so it cannot be built and is left out until a pole is added.';
     return (
       `C(s) = ${number(compensator.gain)} times its sections, each 1 at s = 0 where it can be, stands in the ` +
-      `path of ${place}, before the actuator: the signal is multiplied by ${place} C(s). ${WITHOUT}`
+      `path of ${place}, before its actuator: the signal is multiplied by ${place} C(s). ${WITHOUT}`
     );
   }
 }

@@ -8,6 +8,7 @@ import { cutLoop } from '../maths/cut_loop.js';
 import { frequencyResponse, sampleAt } from '../maths/frequency_response.js';
 import { modeAt, modesOf } from '../maths/loop_modes.js';
 import { marginsOf } from '../maths/margins.js';
+import { marginsOnCurve } from '../maths/margins_on_curve.js';
 import { button, element, panel, picture, select, set } from '../page/elements.js';
 import { crossingsOf, marksOfMargins, namedMarginWords, sampleWords } from '../page/margin_names.js';
 import { movable, movableByKeys } from '../page/movable_point.js';
@@ -54,8 +55,8 @@ export class FrequencyPanel {
     });
     this.reaches.choose(this.reach);
     this.stage = element('div', { class: 'over' }, this.canvas);
-    this.readout = element('span', { class: 'said' });
-    this.words = element('p', { class: 'crossings' });
+    this.readout = element('span', { class: 'reading' });
+    this.words = element('p', { class: 'told' });
     const save = button('Picture (SVG)', () => this.#save());
     const row = element('div', { class: 'controls' }, this.kinds.node, this.reaches.node, save, this.readout);
     const title = 'Frequency response';
@@ -143,9 +144,10 @@ export class FrequencyPanel {
     const { system, state } = this.bench;
     /** @type {CutLoop} */
     this.cut = cutLoop(system, state.values, state.what);
-    const { gain, loop, poles } = this.cut;
-    const found = this.cut.period ? null : marginsOf(loop, gain);
-    if (gain === 0 || !(this.cut.parts.gain !== 0)) return null;
+    const { gain: k, loop, poles } = this.cut;
+    const { gain = 0, phase = 0 } = state.asked;
+    const found = this.cut.period ? marginsOnCurve(this.cut) : marginsOf(loop, k);
+    if (k === 0 || !(this.cut.parts.gain !== 0)) return null;
     const modes = modesOf(poles);
     const curve = frequencyResponse(this.cut, found ? crossingsOf(found) : []);
     if (curve.omega.length < 2) return null;
@@ -158,7 +160,7 @@ export class FrequencyPanel {
     this.modes = modes;
     const marks = this.cut.isStable ? marksOfMargins(found, (omega) => sampleAt(this.cut, curve, omega)) : [];
     this.margins = found;
-    return { curve, modeOf, lobes, margins: marks, marked: null };
+    return { curve, modeOf, lobes, margins: marks, marked: null, asked: { gain, phase } };
   }
 
   /** @param {number} width */

@@ -12,6 +12,7 @@ const HELP = [
     'up or down: set the running gain; so do the arrows, left and right the mark',
   ],
   ['drag a dotted ring', 'move a pole or zero of the compensator; on the Bode diagram its frequency'],
+  ['hatched', 'where the requirements let no pole be'],
   ['wheel, pinch, + and −', 'zoom'],
   ['drag the plane, Shift + arrows', 'pan'],
   ['double click, 0', 'fit the window again'],

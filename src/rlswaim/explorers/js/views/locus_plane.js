@@ -7,6 +7,7 @@ import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { gainAt } from '../maths/gain_at.js';
 import { rootLocus } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
+import { regionOf } from '../maths/requirements.js';
 import { button, element, group, press, set, symbol } from '../page/elements.js';
 import { movable, movableByKeys, placeOn } from '../page/movable_point.js';
 import { number } from '../page/numbers.js';
@@ -212,6 +213,7 @@ export class LocusPlane {
       printed: state.isDesign(printed) && state.isOwnVehicle ? roots : [],
       cloud: this.bench.vehicle.cloud.points,
       selected: this.bench.selected(closed),
+      region: regionOf(state.asked),
       inset: this.inset,
       discrete: Boolean(system.loop?.dt),
     };

@@ -3,6 +3,7 @@ import { isWindow } from '../drawing/camera.js';
 import { MOST } from '../maths/compensator.js';
 import { leftOut } from '../page/address_values.js';
 import { compensatorFrom } from '../page/compensator_text.js';
+import { askedFrom } from '../page/requirement_text.js';
 import { deskFrom } from './desk_state.js';
 import { DURATIONS, GUSTS } from './excitations.js';
 import { PICTURES } from './frequency_panel.js';
@@ -54,6 +55,7 @@ export function shownFrom(state, texts) {
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
   take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
   take('compensator', (text) => (compensatorFrom(text, state.places) ? text : undefined));
+  take('requirements', (text) => (askedFrom(text) ? text : undefined));
   take('window', windowFrom);
   take('desk', deskFrom);
   const { magnify, window, ...shown } = found;

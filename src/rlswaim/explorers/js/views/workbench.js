@@ -30,6 +30,7 @@ import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
 import { ModePanel } from './mode_panel.js';
+import { RequirementPanel } from './requirement_panel.js';
 import { ResponsePanel } from './response_panel.js';
 import { signsOf } from './signs_of_planes.js';
 import { TakeAway } from './take_away_panel.js';
@@ -65,6 +66,7 @@ export class Workbench {
     this.mode = new ModePanel(this);
     this.frequency = new FrequencyPanel(this);
     this.compensator = new CompensatorPanel(this);
+    this.requirements = new RequirementPanel(this);
     this.takeAway = new TakeAway(this);
     this.criteria = new CriteriaCard(this);
     this.verdictLine = new VerdictLine();
@@ -87,12 +89,7 @@ export class Workbench {
       canvases: [this.plane.canvas, ...this.seen.keys()],
       draw: () => this.#draw(),
       later: () => this.#later(),
-      arrived: (texts) => {
-        if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
-        if ('view.desk' in texts) this.desk.follow();
-        if ('view.frequency' in texts) this.frequency.node.open = true;
-        if ('view.compensator' in texts) this.compensator.node.open = true;
-      },
+      arrived: (texts) => this.#arrived(texts),
       stop: () => this.#end(),
     });
     this.#build(el);
@@ -104,16 +101,32 @@ export class Workbench {
     return this.state.inLoop;
   }
 
+  /** Opens what an address is about. @param {Record<string, string>} texts */
+  #arrived(texts) {
+    if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
+    if ('view.desk' in texts) this.desk.follow();
+    const { frequency, compensator, requirements } = this;
+    for (const [name, { node }] of Object.entries({ frequency, compensator, requirements }))
+      if (`view.${name}` in texts) node.open = true;
+  }
+
   /** @param {HTMLElement} el */
   #build(el) {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
     const compensator = this.state.places.length ? [this.compensator] : [];
+    const asked = this.system.loop?.dt ? [] : [this.requirements];
     const criteria = this.system.loop ? [] : [this.criteria];
-    const panels = [poles, this.vehicle, ...compensator, ...this.parts, ...criteria, this.takeAway].map(
-      ({ node }) => node,
-    );
+    const panels = [
+      poles,
+      this.vehicle,
+      ...compensator,
+      ...asked,
+      ...this.parts,
+      ...criteria,
+      this.takeAway,
+    ].map(({ node }) => node);
     const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
     const work = element(
       'div',
@@ -273,6 +286,7 @@ export class Workbench {
     this.loci.choose(state.shown.locus);
     this.inset.choose(state.magnify);
     this.compensator.show();
+    this.requirements.show();
   }
 
   /** Words that may lag a little behind the pictures. */

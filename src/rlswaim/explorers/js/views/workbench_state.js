@@ -4,6 +4,7 @@ import { compensated } from '../maths/compensated.js';
 import { isOwnVehicle } from '../maths/vehicle_data.js';
 import { compensatorFrom } from '../page/compensator_text.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
+import { askedFrom } from '../page/requirement_text.js';
 import { deskText } from './desk_state.js';
 import { excitationsOf } from './excitations.js';
 import { shownFrom } from './shown_from_address.js';
@@ -23,6 +24,7 @@ import { shownFrom } from './shown_from_address.js';
  * @property {DeskState | null} desk how the desk is laid out; null while it is closed
  * @property {number} cloud 1: with the poles of dispersed vehicles
  * @property {string} compensator as in the address, empty for none
+ * @property {string} requirements as in the address, empty for none
  * @property {string} frequency which picture of the frequency response
  */
 /** @import { DeskState } from './desk_state.js' */
@@ -64,6 +66,7 @@ export class WorkbenchState extends ParameterState {
       cloud: 0,
       frequency: 'bode',
       compensator: '',
+      requirements: '',
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -130,6 +133,11 @@ export class WorkbenchState extends ParameterState {
   get compensator() {
     this.#read();
     return this.kept.compensator;
+  }
+
+  /** What is asked of the loop. */
+  get asked() {
+    return askedFrom(this.shown.requirements) ?? {};
   }
 
   /** The system with the compensator in its loop. @returns {System} */
@@ -210,6 +218,7 @@ export class WorkbenchState extends ParameterState {
 
   /** The window and the desk are no part of a step of the history. */
   snapshot() {
+    /** @type {Shown} */
     const shown = { ...this.shown, camera: null, desk: null };
     return JSON.stringify([this.#ownOf(this.values), shown, this.magnify]);
   }
