@@ -58,11 +58,6 @@ export class WorkbenchState extends ParameterState {
     this.shown = { ...this.start };
   }
 
-  /** Before each drawing. Returns whether the system is another one now. */
-  update() {
-    return false;
-  }
-
   get watched() {
     return [...this.names, 'magnify'];
   }
