@@ -1,4 +1,4 @@
-"""Loops for the view of one's own loop: the corners that users visit, fresh members of each kind, random ones."""
+"""Loops for the view of one's own loop: corners that users visit, and fresh members of each kind."""
 
 import control
 import numpy as np

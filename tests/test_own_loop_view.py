@@ -1,4 +1,4 @@
-"""The view of one's own loop in Chromium: typed, dragged, undone, shared, copied, and fed with hostile text."""
+"""The view of one's own loop in Chromium: typed, stepped, undone, shared, copied, fed with hostile text."""
 
 import os
 import random
