@@ -105,21 +105,12 @@ SIXTEEN = (
 """Numerator and denominator of the loop of python-control#935, highest power first."""
 
 
-def gallery() -> tuple[Case, ...]:
-    """Return the loops, public reports first."""
+def _conversions() -> tuple[Case, ...]:
+    """Return loops that were lost on the way to another form, or drawn wrong after it."""
     pendulum = control.ss(
         [[0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 1], [0, 0, 5, 0]], [[0], [1], [0], [-2]], [[1, 0, 0, 0]], 0
     )
-    product = np.polymul
-    four = product(product([1, 0], [1, 5]), product([1, 15], [1, 20]))
     return (
-        Case(
-            "Gain at the axis",
-            "python-control/python-control#306",
-            control.tf([1], [1, 2, 2, 0]),
-            "the plot told a gain of about 0.7 where the locus crosses the axis",
-            _crossings,
-        ),
         Case(
             "Pendulum",
             "python-control/python-control#715",
@@ -150,6 +141,20 @@ def gallery() -> tuple[Case, ...]:
             "conversion to a state space made this stable loop unstable",
             _rightmost,
         ),
+    )
+
+
+def _plots() -> tuple[Case, ...]:
+    """Return loops whose pictures or lists were wrong."""
+    four = np.polymul(np.polymul([1, 0], [1, 5]), np.polymul([1, 15], [1, 20]))
+    return (
+        Case(
+            "Gain at the axis",
+            "python-control/python-control#306",
+            control.tf([1], [1, 2, 2, 0]),
+            "the plot told a gain of about 0.7 where the locus crosses the axis",
+            _crossings,
+        ),
         Case(
             "No break-in",
             "JuliaControl/ControlSystems.jl#231",
@@ -165,6 +170,12 @@ def gallery() -> tuple[Case, ...]:
             _break_aways,
             308.0,
         ),
+    )
+
+
+def _kinds() -> tuple[Case, ...]:
+    """Return kinds of loops that are easy to get wrong."""
+    return (
         Case(
             "Twenty states",
             "",
@@ -197,6 +208,11 @@ def gallery() -> tuple[Case, ...]:
             0.25,
         ),
     )
+
+
+def gallery() -> tuple[Case, ...]:
+    """Return the loops, public reports first."""
+    return (*_plots(), *_conversions(), *_kinds())
 
 
 def presets(text: Callable[[System], str]) -> list[dict[str, Any]]:

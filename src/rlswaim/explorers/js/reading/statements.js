@@ -8,7 +8,7 @@ import { realFrom } from './numbers.js';
 const TOLD =
   String.raw`(?:Inputs|Outputs|States) \(\d+\):|Continuous-time |Discrete-time |Name:|Model Properties|` +
   String.raw`Sample time:|import |from \w+ import |[%#]`;
-const AROUND = new RegExp(String.raw`^\s*(?:<[^>]*>|${TOLD}).*$`, 'gm');
+const AROUND = new RegExp(String.raw`^\s*(?:<\w+>:|${TOLD}).*$`, 'gm');
 const CALLS = /(?:[A-Za-z]\w*\.)?\b(tf|TransferFunction|zpk|ZerosPolesGain|ss|StateSpace)\s*\(/;
 
 /**

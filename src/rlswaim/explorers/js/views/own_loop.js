@@ -78,10 +78,11 @@ export class OwnLoop extends Workbench {
     const presets = el.querySelector('.buttons');
     presets.before(this.field.node);
     presets.after(this.case);
-    this.#renew();
+    this.known = undefined;
   }
 
   #renew() {
+    this.known = this.system;
     const { loop } = this.system;
     this.words = loop.dt ? wordsInZ(loop.dt) : IN_S;
     return this.system.branches;
@@ -89,7 +90,8 @@ export class OwnLoop extends Workbench {
 
   prepare() {
     const state = /** @type {OwnLoopState} */ (this.state);
-    if (state.update()) this.page.recolor(this.#renew());
+    state.update();
+    if (this.known !== this.system) this.page.recolor(this.#renew());
     this.field.show(state.model.get('loop'), state.wrong, formOf(this.system));
     const known = this.system.presets.find((_, i) => state.isDesign(i));
     set(this.case, known?.label ?? '');

@@ -22,20 +22,18 @@ export class OwnLoopState extends WorkbenchState {
     this.shown = { ...this.start };
   }
 
-  /** Takes the text of the model; one that is no loop leaves the last one. Returns whether it changed. */
+  /** Takes the text of the model; one that is no loop leaves the last one. */
   update() {
     const text = this.model.get('loop');
-    if (text === this.read) return false;
+    if (text === this.read) return;
     this.read = text;
     try {
       const system = systemOf(this.payload, text);
       this.base = system;
       this.wrong = '';
       Object.assign(this.shown, { camera: null, duration: durationOf(system.loop), locus: 'k' });
-      return true;
     } catch (error) {
       this.wrong = error instanceof Error ? error.message : String(error);
-      return false;
     }
   }
 

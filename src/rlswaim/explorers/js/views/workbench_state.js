@@ -96,11 +96,6 @@ export class WorkbenchState extends ParameterState {
     return Object.fromEntries(told.map((name) => [name, this.model.get(name)]));
   }
 
-  /** Before each drawing. Returns whether the system is another one now. */
-  update() {
-    return false;
-  }
-
   get watched() {
     return [...this.names, 'magnify'];
   }
