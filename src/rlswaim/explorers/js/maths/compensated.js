@@ -11,6 +11,9 @@ import { multiply } from './polynomials.js';
 
 export const BRANCH = 'compensator';
 
+/** @param {{ N: Float64Array, D: Float64Array }} ratio */
+const monic = ({ N, D }) => [N, D].map((c) => c.map((v) => v / D[D.length - 1]));
+
 /**
  * The system with the compensator in the path of one of its gains; the system itself without one, or with one
  * that cannot be built.
@@ -22,7 +25,8 @@ export const BRANCH = 'compensator';
 export function compensated(system, compensator) {
   if (!compensator || !isProper(compensator)) return system;
   const { place, sections } = compensator;
-  const { N, D } = ratioOf(compensator);
+  // The characteristic polynomial begins with 1 as before, which the responses rely on.
+  const [N, D] = monic(ratioOf(compensator));
   /** @param {Term} term */
   const within = (term) => ({
     factors: term.factors,
