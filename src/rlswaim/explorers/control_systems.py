@@ -86,7 +86,7 @@ def loop_payload(view: View, eqs: PerturbationEquations) -> dict[str, Any]:
         "poles": [{"re": pole.real, "im": pole.imag, "branch": name} for pole, name in named_poles(eqs)],
         "actuators": [{"factor": factor, "branch": name} for factor, name in view.system.actuators.items()],
         "branches": {**BRANCHES, **jet, **zeros},
-        "closing": [locus["running"] for locus in view.loci if locus["of"] == "poles"],
+        "locus_gains": [locus["running"] for locus in view.loci if locus["of"] == "poles"],
         "loci": list(view.loci),
         "running": {
             **{n: {"magnitudes": [a, z], "signed": signed} for n, (a, z, signed) in view.gains.items()},

@@ -185,7 +185,7 @@ class OwnLoop(LiveView):
             "shapes": {},
             "choice": None,
             "actuators": [],
-            "closing": ["k"],
+            "locus_gains": ["k"],
             "loci": [],
             "maps": [],
             "vehicle": None,

@@ -29,7 +29,7 @@ class View:
     gains : mapping of str to (smallest, largest size, whether of both signs)
         The number parameters in the order of their sliders.
     loci : tuple of mapping
-        The loops in the order in which the report closes them; the gains that they run in are ``closing``.
+        The loops in the order in which the report closes them; their gains are ``locus_gains``.
     """
 
     name: str

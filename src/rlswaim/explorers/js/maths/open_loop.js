@@ -22,7 +22,7 @@ import { along, factorsOf, longest, weightOf } from './terms.js';
  * @returns {What}
  */
 export const lastLoop = (system) => ({
-  running: system.closing[system.closing.length - 1],
+  running: system.locus_gains[system.locus_gains.length - 1],
   off: [],
   of: 'poles',
 });

@@ -7,7 +7,7 @@
 /**
  * What Python sends of a control system (see payload in control_systems.py).
  * @typedef {{ terms: Term[], shapes: Record<string, import('./shapes.js').Shape>,
- *   choice?: { name: string, zero: Record<string, string[]> }, closing: string[], maps: string[],
+ *   choice?: { name: string, zero: Record<string, string[]> }, locus_gains: string[], maps: string[],
  *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
  *   running: Record<string, any>, vehicle: Record<string, any>,

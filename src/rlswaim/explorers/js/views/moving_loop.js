@@ -24,7 +24,7 @@ class MovingLoop {
     this.el = el;
     /** @type {System & { window: import('../types.d.ts').Camera, range: [number, number], page: string }} */
     this.system = model.get('payload');
-    this.gain = this.system.closing.at(-1);
+    this.gain = this.system.locus_gains.at(-1);
     /** @type {Values} */
     this.values = { ...this.system.initial };
     /** @type {Theme} */
