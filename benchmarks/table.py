@@ -19,9 +19,9 @@ Each figure is a median; BLAS has one thread.
 LOCI = """
 ## Root loci
 
-The ratios are python-control's time over ours. Nothing is compiled: an earlier form with numba followed a
-picture's branches in some .5 to 1 ms in place of some 3 to 10 ms, after .4 s at the start of each process
-and 10 s on a machine's first call.
+The ratios are python-control's time over ours. Nothing is compiled: an earlier form with numba followed the
+branches of a picture several times faster, but its start in each process took longer than dozens of pictures
+take now.
 
 With given gains all solve the same ones, ours without the list of crossings, which is found when first
 asked for. For "picture" each chooses its own, their number is in

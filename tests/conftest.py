@@ -21,6 +21,9 @@ from workbench_page import EQUATIONS, VIEWS
 ROOT = Path(__file__).parent.parent
 HTML = ROOT / "_build" / "html"
 
+MATHJAX = "() => !document.querySelector('script[src*=mathjax i]') || window.MathJax?.startup?.promise"
+"""MathJax has started, where a page has it: its script comes late, after its settings."""
+
 settings.register_profile(
     "ci", derandomize=True, deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -83,8 +86,8 @@ def visit(browser: Browser, site: str) -> Callable[[str], Iterator[Visit]]:
         page.on("console", lambda line: line.type == "error" and found.errors.append(f"console: {line.text}"))
         page.on("response", lambda r: r.status >= 400 and found.errors.append(f"{r.status} {r.url}"))
         page.goto(f"{site}/{path}", wait_until="load")
-        page.wait_for_function("() => !window.MathJax || window.MathJax.startup?.promise")
-        page.evaluate("() => window.MathJax?.startup.promise")
+        page.wait_for_function(MATHJAX)
+        page.evaluate("() => window.MathJax?.startup?.promise")
         yield found
         context.close()
 

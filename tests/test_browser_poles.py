@@ -74,7 +74,7 @@ class TestPoles:
             """(s, all, view) => all.map((x) => {
                  const last = module.rootLocus(s, x, view);
                  const alone = { ...x };
-                 for (const gain of s.closing.slice(0, -1)) alone[gain] = 0;
+                 for (const gain of s.locus_gains.slice(0, -1)) alone[gain] = 0;
                  return [module.closedLoop(s, x), last.present, last.names,
                          module.rootLocus(s, alone, view).open, module.namedPoles(s, alone)];
                })""",

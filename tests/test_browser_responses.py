@@ -49,7 +49,8 @@ def response_of(loop: control.StateSpace, stimulus: dict, times: np.ndarray) -> 
 
 def stimuli(section: str) -> list[tuple[dict, np.ndarray]]:
     """Return an input for each random state, over a time in which no motion grows beyond e^12."""
-    names = list(sent(section)["numerators"])
+    plant = sent(section)["plant"]
+    names = [*plant["inputs"], *(f"{name}(0)" for name in plant["initial"])]
     found = []
     for i, loop in enumerate(loops(section)):
         fastest = max(loop.poles().real.max(), 1e-9)
@@ -93,14 +94,14 @@ class TestResponses:
 @sections
 def test_responses_pass_through_coinciding_poles(page, section):
     """Two poles that all but fall together, the actuator's and another, do not spoil each other's part."""
-    state = {**presets_of(section)[0], **dict.fromkeys(sent(section)["closing"], 0.0), "K_C": 10.0}
+    state = {**presets_of(section)[0], **dict.fromkeys(sent(section)["locus_gains"], 0.0), "K_C": 10.0}
     if section == "VII":
         state |= {"K_r": 10.0}
     else:
         pole = min(root["re"] for root in sent(section)["poles"])
         state |= {"K_C": -pole}
     stimulus = {"input": "theta_c", "kind": "step", "amplitude": 1.0, "duration": 1.0}
-    gain = sent(section)["closing"][-1]
+    gain = sent(section)["locus_gains"][-1]
     body = "(s, x, u, t) => module.responses(s, x, u, t)"
     times = np.linspace(0, 4, 21)
     js = run(page, body, section, {**state, gain: 1e-9}, stimulus, times.tolist())

@@ -85,8 +85,10 @@ def test_one_exercise_opens_a_state_that_the_view_takes(visit, built, path):
         assert opened.page.locator("article a[href^='#'][href*=':']").count() == 1
         opened.page.locator("a.view-state").scroll_into_view_if_needed()
         opened.page.locator("a.view-state").click()
-        opened.page.wait_for_timeout(300)
-        assert opened.panel.evaluate("panel => Math.abs(panel.getBoundingClientRect().top) < innerHeight / 2")
+        opened.page.wait_for_function(
+            "panel => Math.abs(panel.getBoundingClientRect().top) < innerHeight / 2",
+            arg=opened.panel.element_handle(),
+        )
         check = chosen_designs if view == "comparison" else shown_values
         check(opened, texts)
 
@@ -98,7 +100,7 @@ def chosen_designs(opened: LivePage, texts: dict[str, str]) -> None:
 
 
 def shown_values(opened: LivePage, texts: dict[str, str]) -> None:
-    grids = {parameter.name: parameter.grid for parameter in opened.view.parameters}
+    grids = {parameter.name: parameter.grid for parameter in opened.beside()}
     assert set(texts) == set(grids)
     assert [name for name, text in texts.items() if not is_a_value(grids[name], text)] == []
     for name, value in opened.values().items():

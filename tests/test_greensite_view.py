@@ -1,7 +1,10 @@
 """Greensite's vehicle on the workbench: its polynomials, poles and call are those of the library."""
 
+import re
+
 import numpy as np
 import pytest
+from playwright.sync_api import expect
 
 from rlswaim import explorers
 from rlswaim.explorers import greensite as view
@@ -83,7 +86,9 @@ def test_there_is_a_map_of_the_frequency_and_no_panel_of_the_shape(page):
     words = "el.querySelector('[data-panel=map] small').textContent.startsWith('omega from 80 to 120 %')"
     page.wait_for_function(words)
     assert page.locator("[data-panel=mode]").count() == 0
-    assert "z: largest" in page.locator("canvas[data-plane=responses]").get_attribute("aria-label")
+    responses = page.locator("canvas[data-plane=responses]")
+    responses.scroll_into_view_if_needed()
+    expect(responses).to_have_attribute("aria-label", re.compile("z: largest"))
 
 
 def test_refused():

@@ -164,7 +164,17 @@ def test_by_keyboard_alone(fresh):
             break
     assert seen, "the focus cannot be seen"
     order = ["K A", "K C", "K R", "K za", "K zb", "station of the sensor a", "station of the sensor b"]
-    order += ["Figure 19", "Reset", "Locus in", "Origin", "Root locus in", "zoom in", "Lock axes"]
+    order += [
+        "Figure 19",
+        "Reset",
+        "Locus in",
+        "Origin",
+        "Copy link",
+        "Desk",
+        "Root locus in",
+        "zoom in",
+        "Lock axes",
+    ]
     order += ["pole table", "Pole map", "Responses", "Mode shape", "Take away", "Keys and gestures"]
     places = [next((k for k, name in enumerate(reached) if name.startswith(wanted)), -1) for wanted in order]
     assert [wanted for wanted, at in zip(order, places, strict=True) if at < 0] == [], reached

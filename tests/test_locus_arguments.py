@@ -5,12 +5,13 @@ import numpy as np
 import pytest
 
 import rlswaim as rl
+from rlswaim.rootlocus.adaptive_gains import MOST
 from systems import mismatch
 
 S = control.tf("s")
 
 
-@pytest.mark.parametrize("sign", [0, 2, -3, 0.5, True, "1", None])
+@pytest.mark.parametrize("sign", [0, 2, -3, 0.5, True, "1", None, [1], np.array([1])])
 def test_the_sign_is_one_or_minus_one(sign):
     with pytest.raises(ValueError, match=r"sign in root_locus: got .*, wanted 1 or -1"):
         rl.root_locus(1 / (S + 1), sign=sign)
@@ -29,8 +30,47 @@ def test_gains_that_floats_can_t_follow_are_refused(gain):
 
 
 @pytest.mark.parametrize(
+    ("gains", "error"),
+    [
+        ([], ValueError),
+        ([[]], ValueError),
+        ([[1.0, 2.0], [3.0, 4.0]], ValueError),
+        ([[1.0], [1.0, 2.0]], ValueError),
+        ([1.0, np.nan], ValueError),
+        ([np.inf], ValueError),
+        ([1j], TypeError),
+        ([True], TypeError),
+        (["1"], TypeError),
+        ([None], TypeError),
+    ],
+)
+def test_gains_are_one_row_of_finite_numbers(gains, error):
+    with pytest.raises(error, match=r"gains.* in root_locus: got .*, wanted"):
+        rl.root_locus(1 / (S + 1), gains)
+
+
+@pytest.mark.parametrize("tolerance", [1e-300, 1e-6])
+def test_no_picture_takes_more_gains_than_it_may(tolerance):
+    found = rl.root_locus((S + 3) / ((S + 1) * (S + 2)), tolerance=tolerance)
+    assert found.gains.size <= MOST
+    assert (np.diff(found.gains) > 0).all()
+
+
+@pytest.mark.parametrize(
     ("system", "error", "words"),
     [
+        (control.tf([1e300], [1e-300, 1.0]), ValueError, "denominator in root_locus: got"),
+        (control.tf([1.0], [1e-320, 1.0, 1.0]), ValueError, "denominator in root_locus: got"),
+        (control.tf([1e-320], [1.0, 1.0]), ValueError, "gain in root_locus: got .*, wanted a size"),
+        (([], [-1.0], 1e120), ValueError, r"gain in root_locus: got 1e\+120 .*, wanted a size"),
+        (([[1.0], [1.0, 2.0]], [[1.0]], [[1.0]]), ValueError, "A in root_locus: got rows of unequal"),
+        (([np.nan], [-1.0, -2.0], 1.0), ValueError, "zeros in root_locus: got .*, wanted"),
+        (control.tf([np.nan], [1.0, 1.0]), ValueError, r"numerator\[0\] in root_locus: got nan, wanted"),
+        (
+            control.ss(np.eye(2), np.eye(2), np.eye(2), 0),
+            ValueError,
+            "root_locus: got 2 inputs and 2 outputs",
+        ),
         (control.tf([0], [1, 1]), ValueError, "numerator in root_locus: got 0, wanted"),
         (([], [-1.0], 0.0), ValueError, "gain in root_locus: got 0, wanted"),
         (([1j], [-1, -2], 1.0), ValueError, r"zeros\[0\] in root_locus: got 1j without its conjugate"),

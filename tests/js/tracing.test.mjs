@@ -100,7 +100,7 @@ const SYSTEM = {
     { factors: ['K', 'phi'], coefficients: [0, 0, 0.1] },
   ],
   shapes: { phi: { at: 'station', values: [1, 0.5, -0.2, -1] } },
-  closing: ['K'],
+  locus_gains: ['K'],
   maps: ['station'],
   parameters: [{ name: 'K' }, { name: 'station' }],
   poles: [

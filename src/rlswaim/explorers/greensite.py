@@ -147,7 +147,7 @@ def payload(notch: bool, found: Forms) -> dict[str, Any]:
         "poles": open_poles(notch),
         "actuators": [],
         "branches": BRANCHES,
-        "closing": [name for name in reversed(GAINS) if name != "loop_gain"],
+        "locus_gains": [name for name in reversed(GAINS) if name != "loop_gain"],
         "loci": [{"name": "all gains", "running": "loop_gain", "off": [], "of": "poles"}],
         "running": {**gains, "omega": {"ends": [PERCENT[0], PERCENT[-1]], "step": 1, "unit": "%"}},
         "maps": ["omega"],

@@ -50,7 +50,7 @@ class Explorer(LiveView):
 
     def draw(self, ax: Axes) -> Axes:
         """Draw the root locus in the gain that is closed last."""
-        running, values = self.payload["closing"][-1], self.values()
+        running, values = self.payload["locus_gains"][-1], self.values()
 
         def loop(gain: float) -> control.StateSpace:
             return self._closed_loop(**{**values, running: gain})

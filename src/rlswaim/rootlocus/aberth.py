@@ -10,8 +10,8 @@ from scipy.optimize import linear_sum_assignment
 EPS = float(np.finfo(float).eps)
 MEET = 1e-5
 """Roots nearer to each other than this, relative to their size, meet: either may be continued by either."""
-Slopes = Callable[[NDArray, NDArray], tuple[NDArray, NDArray]]
-"""Takes points (n, K) and the numbers (K,) of their functions, returns f'/f and which roots are found."""
+Slopes = Callable[[NDArray, NDArray], tuple[NDArray, NDArray, NDArray]]
+"""Takes points (n, K) and the numbers (K,) of their functions: f'/f, which are roots, which are blurred."""
 
 
 class Roots(NamedTuple):
@@ -29,13 +29,14 @@ def aberth(slopes: Slopes, guess: NDArray, steps: int) -> Roots:
     divided out of f, so that the step is 1/(f'/f - sum over j of 1/(s_i - s_j)).  The iteration
     converges cubically at simple roots, and roots near each other do not fall into one.
     A root is found where ``slopes`` says that rounding is all that is left of f, or after a step so
-    small that rounding is more than what the next one would be.
+    small that rounding is more than what the next one would be.  Of two blurred roots nearer than
+    sqrt(EPS) rounding fixes the middle alone: they are found too.
 
     Parameters
     ----------
     slopes : callable
-        Takes points (n, K) and the numbers of their functions (K,); returns f'/f and
-        which of the points are roots to rounding, both of shape (n, K).
+        Takes points (n, K) and the numbers of their functions (K,); returns f'/f, which of the points are
+        roots to rounding, and at which f is of the size of its rounding, blurred: all of shape (n, K).
     guess : ndarray of complex, shape (n, K)
     steps : int
         Most steps.
@@ -48,15 +49,14 @@ def aberth(slopes: Slopes, guess: NDArray, steps: int) -> Roots:
     s, found, meet = z.copy(), np.zeros(busy.size, dtype=bool), np.zeros(z.shape, dtype=bool)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for _ in range(steps):
-            slope, done = slopes(z, busy)
+            slope, done, blurred = slopes(z, busy)
             push, nearest = _repulsion(z)
             step = 1 / (slope - push)
             step[done | ~np.isfinite(step)] = 0
             z = z - step
             done |= _last(step, z, nearest)
             closeness = nearest / np.abs(z) ** 2
-            # Of two roots nearer than sqrt(EPS) rounding fixes the middle alone.
-            ready = (done | (closeness <= EPS)).all(axis=0)
+            ready = (done | (blurred & (closeness <= EPS))).all(axis=0)
             s[:, busy], found[busy], meet[:, busy] = z, ready, closeness <= MEET**2
             if ready.all():
                 break

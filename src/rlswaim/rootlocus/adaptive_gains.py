@@ -97,21 +97,26 @@ def picture(
     lead = np.abs(loop.denominator).max() / np.abs(loop.numerator).max()
     gains = sign * np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
     loop.refuse_infinite(gains)
-    sets, offset = nearly_connected(closed, closed.sets(gains)), lead * DECADES[0]
+    (sets, kinds), offset = nearly_connected(closed, closed.sets(gains)), lead * DECADES[0]
     finer = 1.25
     while sets.gains.size < MOST:
         size, stray = np.abs(sets.gains), _deviation(sets, axes)
         wide = size[1:] - size[:-1] > 1e-9 * (size[1:] + offset)
-        bad = (stray > tolerance) & ~passes_infinity(loop, sets.gains[:-1], sets.gains[1:]) & wide
+        bad = (stray > tolerance) & wide
+        if loop.D:
+            bad &= ~passes_infinity(loop, sets.gains[:-1], sets.gains[1:])
         at = np.flatnonzero(bad)
         if not at.size:
             break
         # The deviation falls with the square of the step.  A further round costs more than some gains.
+        at = at[np.sort(stray[at].argsort()[::-1][: MOST - size.size])]
         pieces = np.clip(np.ceil(finer * np.sqrt(stray[at] / tolerance)), 2, 12).astype(int)
+        if size.size + (pieces - 1).sum() > MOST:
+            pieces[:] = 2
         finer *= 2
         sizes, which = _cut(size[at], size[at + 1], pieces, offset)
         more = between(closed, sets.at(at[which]), sets.at(at[which] + 1), sign * sizes)
         order = np.append(size, sizes).argsort(kind="stable")
         sets = RootSets(*(np.concatenate(parts)[order] for parts in zip(sets, more, strict=True)))
-        sets = nearly_connected(closed, sets)
-    return sets.gains, surely_connected(closed, sets).roots
+        sets, kinds = nearly_connected(closed, sets)
+    return sets.gains, surely_connected(closed, sets, kinds).roots

@@ -78,18 +78,20 @@ def _stationary(places: Places) -> NDArray:
         distance = s - x[:, None]
         return distance, w[:, None] / distance
 
-    def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray]:
+    def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         distance, term = terms(s[:, 0])
         value, inverse = term.sum(axis=0), 1 / distance
         slope = inverse.sum(axis=0) - (term * inverse).sum(axis=0) / value
         done = np.abs(value) <= x.size * EPS * np.abs(term).sum(axis=0)
-        return slope[:, None], (done | (np.abs(slope * s[:, 0]) >= 1 / EPS))[:, None]
+        done |= np.abs(slope * s[:, 0]) >= 1 / EPS
+        return slope[:, None], done[:, None], np.ones((s.size, 1), bool)
 
     found = real_and_conjugate(aberth(slopes, guess[:, None], steps=40).values[:, 0])
     for group in linked(found, 1e-4 * np.abs(found)):
         center = found[group].mean()
-        distance, term = terms(np.array([center]))
-        error = np.abs(term.sum()), np.abs((term / distance).sum()) * np.abs(found[group] - center).max()
+        with np.errstate(all="ignore"):  # the center may be a place
+            distance, term = terms(np.array([center]))
+            error = np.abs(term.sum()), np.abs((term / distance).sum()) * np.abs(found[group] - center).max()
         if max(error) <= ROUND * x.size * EPS * np.abs(term).sum():
             found[group] = center
     return size * np.unique(found)

@@ -13,6 +13,8 @@ from rlswaim.rootlocus.open_loop import OpenLoop
 
 BLOCK = 20_000
 """So many pairs of roots at a time: they stay in the processor's cache."""
+BLURRED = 64
+"""Where F is at most so many times its rounding, of two roots that meet the middle alone is fixed."""
 REPEATED = 6
 """Poles and zeros repeated more often than this make matrices whose eigenvalues are no good guesses."""
 
@@ -31,6 +33,8 @@ class RootSets(NamedTuple):
 
     def in_columns(self, order: NDArray) -> "RootSets":
         """Return the sets with their roots in a given ``order`` (K, n)."""
+        if (order == np.arange(order.shape[1])).all():
+            return self
         rows = np.arange(len(order))[:, None]
         return RootSets(self.gains, *(part[rows, order] for part in self[1:]))
 
@@ -105,7 +109,7 @@ class ClosedLoop:
         """
         rounding = EPS * (self.counts.sum() + 2)
 
-        def slopes(s: NDArray, which: NDArray) -> tuple[NDArray, NDArray]:
+        def slopes(s: NDArray, which: NDArray) -> tuple[NDArray, NDArray, NDArray]:
             k = gains[which]
             D, D_slope, N, N_slope = self.values(s)
             kN = k * N
@@ -113,7 +117,9 @@ class ClosedLoop:
             terms, size, steep = np.abs(D) + np.abs(kN), np.abs(s), np.abs(derivative)
             double = steep * np.maximum(size, 1e-6) <= 1e-6 * terms
             tangents[:, which] = np.where(double, 0, -self.size * N / derivative)
-            return derivative / F, np.abs(F) <= np.maximum(rounding * terms, EPS * size * steep)
+            left = np.abs(F)
+            found = left <= np.maximum(rounding * terms, EPS * size * steep)
+            return derivative / F, found, left <= BLURRED * rounding * terms
 
         return slopes
 
@@ -164,9 +170,9 @@ class ClosedLoop:
         -------
         RootSets
         """
-        found = np.empty((2, gains.size, self.order), complex)
-        found[:] = np.stack([self.loop.moving_poles, self._leaving])[:, None]
-        moved = np.flatnonzero(gains)
+        found, moved = np.empty((2, gains.size, self.order), complex), np.flatnonzero(gains)
+        if moved.size < gains.size:
+            found[:] = np.array([self.loop.moving_poles, self._leaving])[:, None]
         step = max(16, BLOCK // self.order**2)
         for start in range(0, moved.size, step):
             part = moved[start : start + step]
@@ -181,11 +187,12 @@ class ClosedLoop:
     @cached_property
     def _leaving(self) -> NDArray:
         """The tangents (n,) at the poles; 0 where poles meet."""
-        tangents, poles = np.empty((self.order, 1), complex), self.loop.moving_poles / self.size
-        with np.errstate(all="ignore"):
-            self.slopes(np.zeros(1), tangents)(poles[:, None], np.zeros(1, int))
+        poles = self.loop.moving_poles / self.size
+        _, slope, N, _ = self.values(poles)
         meet = (np.abs(poles[:, None] - poles) <= MEET * np.abs(poles)).sum(axis=1) > 1
-        return np.where(meet | ~np.isfinite(tangents[:, 0]), 0, tangents[:, 0])
+        with np.errstate(all="ignore"):
+            tangents = -self.size * N / slope
+        return np.where(meet | ~np.isfinite(tangents), 0, tangents)
 
     def _corrected(self, gains: NDArray, guess: NDArray) -> tuple[NDArray, NDArray]:
         """Return scaled roots (n, K) by Aberth's iteration, anew where it fails, and tangents (n, K)."""

@@ -132,8 +132,8 @@ def connected(closed: ClosedLoop, sets: RootSets, which: NDArray | None = None) 
     return sets.in_columns(in_order(successors))
 
 
-def nearly_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
-    """Return root sets as `connected` does, without a look at what lies between them.
+def nearly_connected(closed: ClosedLoop, sets: RootSets) -> tuple[RootSets, NDArray]:
+    """Return root sets as `connected` does, without a look at what lies between them, and their kinds.
 
     Parameters
     ----------
@@ -144,12 +144,16 @@ def nearly_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
     Returns
     -------
     RootSets
+    ndarray, shape (K - 1, n)
+        The kinds that `kinds_at` tells for the starts of the intervals.
     """
     before, after = sets.at(slice(None, -1)), sets.at(slice(1, None))
-    return sets.in_columns(in_order(matched(before, after, kinds_at(closed, before, after))))
+    kinds = kinds_at(closed, before, after)
+    order = in_order(matched(before, after, kinds))
+    return sets.in_columns(order), kinds[0][np.arange(len(kinds[0]))[:, None], order[:-1]]
 
 
-def surely_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
+def surely_connected(closed: ClosedLoop, sets: RootSets, kinds: NDArray) -> RootSets:
     """Return root sets from `nearly_connected` as `connected` does.
 
     Parameters
@@ -157,13 +161,14 @@ def surely_connected(closed: ClosedLoop, sets: RootSets) -> RootSets:
     closed : ClosedLoop
     sets : RootSets
         K sets at rising or falling gains, as `nearly_connected` returns them.
+    kinds : ndarray, shape (K - 1, n)
+        As it returns them too.
 
     Returns
     -------
     RootSets
     """
-    before, after = sets.at(slice(None, -1)), sets.at(slice(1, None))
-    at = unsure(closed, before, after, kinds_at(closed, before, after)[0])
+    at = unsure(closed, sets.at(slice(None, -1)), sets.at(slice(1, None)), kinds)
     return connected(closed, sets, at) if at.size else sets
 
 

@@ -153,11 +153,11 @@ def refined_roots(polynomial: Exact, guess: NDArray) -> NDArray:
     ndarray of complex, shape (n,)
     """
 
-    def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray]:
+    def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray, NDArray]:
         upper = s.real + 1j * np.abs(s.imag)  # a root's conjugate is one too: each pair is evaluated once
         points, place = np.unique(upper[:, 0], return_inverse=True)
         found = [_slope(polynomial, z) for z in points.tolist()]
         slope, near = (np.array(part)[place, None] for part in zip(*found, strict=True))
-        return np.where(s.imag < 0, slope.conj(), slope), near
+        return np.where(s.imag < 0, slope.conj(), slope), near, np.ones(s.shape, bool)
 
     return real_and_conjugate(aberth(slopes, guess[:, None], steps=12).values[:, 0])

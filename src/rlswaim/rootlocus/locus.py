@@ -6,6 +6,7 @@ Convention: negative feedback, 1 + k G(s) = 0, with k of either sign.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from numbers import Real
 
 import control
 import numpy as np
@@ -196,26 +197,34 @@ def root_locus(
     1 + k G = 0 are those of 1 + (1/k) (1/G) = 0, so give 1/G.
     """
     loop = open_loop(system)
-    if sign not in (1, -1) or isinstance(sign, bool):
-        raise ValueError(f"sign in root_locus: got {sign!r}, wanted 1 or -1")
+    side = _checked_sign(sign)
     view = default_axes(loop) if axes is None else _checked_axes(axes)
     limit = checks.positive("tolerance", tolerance, "root_locus")
     breaks = break_aways(loop)
     closed = ClosedLoop(loop, breaks)
     if gains is None:
-        marks = sign * np.array([b.gain for b in breaks] + [c.gain for c in crossings(loop)])
+        marks = side * np.array([b.gain for b in breaks] + [c.gain for c in crossings(loop)])
         if loop.D:  # a root passes through infinity: go close on either side
-            lost = -sign / loop.D
+            lost = -side / loop.D
             near = lost * (1 + np.array([-1e-7, 1e-7]))
             marks = np.append(marks[np.abs(marks - lost) > 1e-7 * abs(lost)], near)
-        chosen, moving = picture(closed, marks[marks > 0], view, limit, sign)
+        chosen, moving = picture(closed, marks[marks > 0], view, limit, side)
     else:
-        chosen = checks.frozen_array("gains", np.atleast_1d(np.asarray(gains)), "root_locus")
-        if chosen.ndim != 1:
-            raise ValueError(f"gains in root_locus: got shape {chosen.shape}, wanted one dimension")
+        chosen = np.atleast_1d(checks.frozen_array("gains", gains, "root_locus"))
+        if chosen.ndim != 1 or not chosen.size:
+            raise ValueError(
+                f"gains in root_locus: got shape {chosen.shape}, wanted one dimension and at least one gain"
+            )
         moving = solve(closed, chosen, _meetings(breaks))
     values = np.concatenate([moving, np.tile(loop.resting, (chosen.size, 1))], axis=1)
     return RootLocus(chosen, values, loop.poles, loop.zeros, breaks, loop)
+
+
+def _checked_sign(sign: object) -> int:
+    """Return a ``sign`` of gains if it is 1 or -1; raise an error otherwise."""
+    if isinstance(sign, bool) or not isinstance(sign, Real) or sign not in (1, -1):
+        raise ValueError(f"sign in root_locus: got {sign!r}, wanted 1 or -1")
+    return 1 if sign == 1 else -1
 
 
 def _checked_axes(axes: Axes) -> Axes:

@@ -18,6 +18,8 @@ from rlswaim.source import checks
 
 System: TypeAlias = control.StateSpace | control.TransferFunction | ZerosPolesGain | Sequence[ArrayLike]
 WHERE = "root_locus"
+SMALLEST = 1e-100
+"""The gain of a loop is of this size at least, and of its inverse at most."""
 
 
 class Places(NamedTuple):
@@ -139,10 +141,21 @@ def open_loop(system: System) -> OpenLoop:
     ValueError
         If it has more than one input or output, no poles, a zero numerator, or is improper or not finite.
     """
+    loop = _loop(system)
+    if loop.gain and not SMALLEST <= abs(loop.gain) <= 1 / SMALLEST:
+        raise ValueError(
+            f"gain in {WHERE}: got {loop.gain:g} for large s, "
+            f"wanted a size from {SMALLEST:g} to {1 / SMALLEST:g}"
+        )
+    return loop
+
+
+def _loop(system: System) -> OpenLoop:
+    """Return the loop of a ``system``; raise errors as `open_loop` says."""
     if isinstance(system, ZerosPolesGain):
         return _from_factors(system.zeros, system.poles, system.gain, system.dt or 0)
     if isinstance(system, (tuple, list)):
-        if len(system) == 3 and all(np.ndim(part) == d for part, d in zip(system, (1, 1, 0), strict=True)):
+        if [_dimensions(part) for part in system] == [1, 1, 0]:
             zeros, poles, gain = system
             return _from_factors(zeros, poles, gain, 0)
         system = _from_arrays(system)
@@ -158,6 +171,14 @@ def open_loop(system: System) -> OpenLoop:
     if isinstance(system, control.TransferFunction):
         return _from_transfer(system)
     return _from_state_space(system)
+
+
+def _dimensions(part: ArrayLike) -> int:
+    """Return how many dimensions an array has, -1 if it is ``part`` of none: rows of unequal lengths."""
+    try:
+        return np.ndim(part)
+    except ValueError:
+        return -1
 
 
 def _from_arrays(arrays: Sequence[ArrayLike]) -> control.StateSpace:
@@ -189,7 +210,13 @@ def _from_transfer(system: control.TransferFunction) -> OpenLoop:
     if not numerator.any():
         raise ValueError(f"numerator in {WHERE}: got 0, wanted a transfer function that is not zero")
     _refuse_order(numerator.size - 1, denominator.size - 1)
-    numerator, denominator = numerator / denominator[-1], denominator / denominator[-1]
+    with np.errstate(over="ignore"):
+        numerator, denominator = numerator / denominator[-1], denominator / denominator[-1]
+    if not np.isfinite(numerator).all() or not np.isfinite(denominator).all():
+        raise ValueError(
+            f"denominator in {WHERE}: got a leading coefficient too small beside the others, "
+            "wanted ratios that floats hold"
+        )
     zeros, poles = points_of_polynomial(numerator), points_of_polynomial(denominator)
     return OpenLoop(zeros, poles, float(numerator[-1]), numerator, denominator, system.dt)
 

@@ -13,6 +13,8 @@ PARTS = 4
 """An interval is cut into so many."""
 LEVELS = 30
 """So often an interval is cut at most: then it is as narrow as its ends' rounding."""
+MOST = 20_000
+"""So many intervals are looked at together at most; then the ends of each decide."""
 
 
 class Phases(NamedTuple):
@@ -83,7 +85,8 @@ def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
 
     Intervals are cut until each either can be excluded, because no multiple of pi lies between
     the bounds of the phase, or has a phase that only rises or only falls.  Places where the phase
-    touches a multiple of pi and turns back are not returned.
+    touches a multiple of pi and turns back are not returned.  Where places all but cancel each other the
+    bounds stay wide however often intervals are cut: a limited number of them is looked at.
 
     Parameters
     ----------
@@ -96,27 +99,61 @@ def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
     """
     cells, found = _first_intervals(phases, tops), []
     rounding = 8 * phases.weights.size * EPS * np.pi
-    for _ in range(LEVELS):
-        change, start = cells.at_high - cells.at_low, phases.offsets[cells.which] + cells.at_low.sum(axis=0)
-        up, end = np.maximum(change, 0).sum(axis=0), start + change.sum(axis=0)
-        least, most = end - up - rounding, start + up + rounding
-        keep = np.floor(least / np.pi) != np.floor(most / np.pi)
+    for level in range(LEVELS):
+        start, end = (phases.offsets[cells.which] + part.sum(axis=0) for part in cells[3:])
+        up = np.maximum(cells.at_high - cells.at_low, 0).sum(axis=0)
+        keep = _may_pass(end - up - rounding, start + up + rounding)
         if not keep.any():
             break
-        cells, turns = cells.at(keep), np.floor(np.stack([start, end])[:, keep] / np.pi)
-        slowest, fastest = phases.at(cells.which).slope_bounds(cells.low, cells.high)
-        settled = ((slowest > 0) | (fastest < 0)) & (np.abs(turns[1] - turns[0]) <= 1)
+        cells, start, end = cells.at(keep), start[keep], end[keep]
+        turns = np.floor(np.array([start, end]) / np.pi)
+        slopes = phases.at(cells.which).slope_bounds(cells.low, cells.high)
+        settled = ((slopes[0] > 0) | (slopes[1] < 0)) & (np.abs(turns[1] - turns[0]) <= 1)
+        width = cells.high - cells.low
+        unsure = rounding * (1 + width * (slopes[1] - slopes[0]))
+        least, most = _within(start, end, slopes[0] * width, slopes[1] * width)
+        left = ~settled & _may_pass(least - unsure, most + unsure)
+        if level == LEVELS - 1 or PARTS * np.count_nonzero(left) > MOST:
+            left, settled = np.zeros_like(left), settled | left
         passed = settled & (turns[0] != turns[1])
         found.append((*cells.at(passed), np.pi * turns.max(axis=0)[passed]))
-        if settled.all():
+        if not left.any():
             break
-        cells = cells.at(~settled).parts(phases)
+        cells = cells.at(left).parts(phases)
     if not found:
         return [np.zeros(0) for _ in tops]
     *brackets, target = (np.concatenate(part, axis=-1) for part in zip(*found, strict=True))
     omega, which = _bracketed(phases, _Intervals(*brackets), target), brackets[2]
     smallest = np.hypot(phases.real, phases.imag).min(axis=0)
     return [np.unique(omega[(which == i) & (omega > 1e-12 * size)]) for i, size in enumerate(smallest)]
+
+
+def _may_pass(least: NDArray, most: NDArray) -> NDArray:
+    """Return whether a multiple of pi lies between the ``least`` and the ``most`` that phases can be."""
+    return np.asarray(np.floor(least / np.pi) != np.floor(most / np.pi))
+
+
+def _within(start: NDArray, end: NDArray, slowest: NDArray, fastest: NDArray) -> tuple[NDArray, NDArray]:
+    """Return the least and the most that a function can be between its ends.
+
+    Where it may fall and rise, it lies above the two lines that fall as steeply as can be from either end.
+
+    Parameters
+    ----------
+    start, end : ndarray, shape (M,)
+        Its values at the ends.
+    slowest, fastest : ndarray, shape (M,)
+        The least and the most that its derivative can be, times the distance of the ends.
+
+    Returns
+    -------
+    tuple of ndarray
+    """
+    down, up = np.minimum(slowest, 0.0), np.maximum(fastest, 1e-300)
+    spread = up - down
+    least = (up * start - down * end + up * down) / spread
+    most = (up * end - down * start - up * down) / spread
+    return least, most
 
 
 def _first_intervals(phases: Phases, tops: NDArray) -> _Intervals:

@@ -9,6 +9,9 @@ from rlswaim.rootlocus.branches import assigned, squared_distances
 from rlswaim.rootlocus.closed_loop import ClosedLoop, RootSets, kinds_of
 from rlswaim.rootlocus.open_loop import OpenLoop
 
+PAIRS = 200_000
+"""So many pairs of roots at a time: memory does not grow with the number of gains times the order squared."""
+
 
 def unsure(closed: ClosedLoop, before: RootSets, after: RootSets, kinds: NDArray) -> NDArray:
     """Return the numbers of those intervals in which a root's successor is unsure: where discs overlap.
@@ -25,7 +28,8 @@ def unsure(closed: ClosedLoop, before: RootSets, after: RootSets, kinds: NDArray
     ndarray of int
     """
     wide = np.abs(after.gains - before.gains) > 1e-9 * np.maximum(np.abs(before.gains), np.abs(after.gains))
-    wide &= ~passes_infinity(closed.loop, before.gains, after.gains)
+    if closed.loop.D:
+        wide &= ~passes_infinity(closed.loop, before.gains, after.gains)
     return np.flatnonzero(wide & ~discs(before, after, kinds).apart.all(axis=1))
 
 
@@ -49,19 +53,35 @@ def kinds_at(closed: ClosedLoop, before: RootSets, after: RootSets) -> list[NDAr
     ends = before, after
     kinds, doubles = [sets.kinds.copy() for sets in ends], [sets.tangents == 0 for sets in ends]
     unknown = doubles[0].any(axis=1) & doubles[1].any(axis=1)
-    unlike = (kinds[0] > 1).sum(axis=1) != (kinds[1] > 1).sum(axis=1)
-    at = np.flatnonzero(unlike)
+    at = np.flatnonzero(np.not_equal(*((kind > 1).sum(axis=1) for kind in kinds)))
     if at.size:
-        for kind, double, sets in zip(kinds, doubles, ends, strict=True):
-            turned = double[at] & (double[at].sum(axis=1, keepdims=True) == 2)
-            real = (kind[at] > 1) ^ turned
-            sides = 2 * (turned.cumsum(axis=1) % 2) - 1
-            kind[at] = np.where(turned & ~real, sides, kinds_of(sets.roots[at], real))
-        unknown[at] |= (kinds[0][at] > 1).sum(axis=1) != (kinds[1][at] > 1).sum(axis=1)
-    unknown |= passes_infinity(closed.loop, before.gains, after.gains)
-    for kind in kinds:
-        kind[unknown] = 0
+        kind, double = (np.concatenate([part[at] for part in both]) for both in (kinds, doubles))
+        turned = double & (double.sum(axis=1, keepdims=True) == 2)
+        real = (kind > 1) ^ turned
+        sides = 2 * (turned.cumsum(axis=1) % 2) - 1
+        roots = np.concatenate([sets.roots[at] for sets in ends])
+        kinds[0][at], kinds[1][at] = np.split(np.where(turned & ~real, sides, kinds_of(roots, real)), 2)
+        unknown[at] |= np.not_equal(*((kind[at] > 1).sum(axis=1) for kind in kinds))
+    if closed.loop.D:
+        unknown |= passes_infinity(closed.loop, before.gains, after.gains)
+    if unknown.any():
+        for kind in kinds:
+            kind[unknown] = 0
     return kinds
+
+
+def _blocks(count: int, order: int) -> list[slice]:
+    """Return parts of so many intervals that all pairs of roots of a part are a bounded number.
+
+    Parameters
+    ----------
+    count : int
+        Number of the intervals; at least one part is returned.
+    order : int
+        Number of the roots.
+    """
+    step = max(1, PAIRS // max(order, 1) ** 2)
+    return [slice(start, start + step) for start in range(0, max(count, 1), step)]
 
 
 def matched(before: RootSets, after: RootSets, kinds: list[NDArray]) -> NDArray:
@@ -78,9 +98,12 @@ def matched(before: RootSets, after: RootSets, kinds: list[NDArray]) -> NDArray:
     -------
     ndarray of int, shape (K, n)
     """
-    square = squared_distances(before.roots, after.roots)
-    square[kinds[0][:, :, None] != kinds[1][:, None]] = np.inf
-    return assigned(square)
+    found = []
+    for part in _blocks(*before.roots.shape):
+        square = squared_distances(before.roots[part], after.roots[part])
+        square[kinds[0][part, :, None] != kinds[1][part, None]] = np.inf
+        found.append(assigned(square))
+    return np.concatenate(found)
 
 
 class Discs(NamedTuple):
@@ -110,15 +133,19 @@ def discs(before: RootSets, after: RootSets, kinds: NDArray | None = None) -> Di
     width, middle = np.abs(after.gains - before.gains), (before.roots + after.roots) / 2
     promised = width[:, None] * np.maximum(np.abs(before.tangents), np.abs(after.tangents))
     radius = np.maximum(1.25 * np.abs(after.roots - before.roots), promised)
-    near = squared_distances(middle, middle) <= (radius[:, :, None] + radius[:, None]) ** 2
-    if kinds is not None:
-        near &= kinds[:, :, None] == kinds[:, None]
-    for double in (before.tangents == 0, after.tangents == 0):
-        if double.any():
-            near &= ~(double[:, :, None] & double[:, None])
-    own = np.arange(near.shape[1])
-    near[:, own, own] = False
-    return Discs(middle, radius, ~near.any(axis=2))
+    apart, own = np.empty(radius.shape, bool), np.arange(radius.shape[1])
+    for part in _blocks(*radius.shape):
+        center, reach = middle[part], radius[part]
+        near = squared_distances(center, center) <= (reach[:, :, None] + reach[:, None]) ** 2
+        if kinds is not None:
+            near &= kinds[part, :, None] == kinds[part, None]
+        for sets in (before, after):
+            double = sets.tangents[part] == 0
+            if double.any():
+                near &= ~(double[:, :, None] & double[:, None])
+        near[:, own, own] = False
+        apart[part] = ~near.any(axis=2)
+    return Discs(middle, radius, apart)
 
 
 def passes_infinity(loop: OpenLoop, a: NDArray, b: NDArray) -> NDArray:

@@ -125,7 +125,10 @@ def frozen_array(
     ValueError
         If one is not finite, or the shape is not the wanted one.
     """
-    raw = np.asarray(values)
+    try:
+        raw = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{named(what, where)}: got rows of unequal lengths, wanted an array") from error
     if raw.dtype.kind not in "iuf":
         raise TypeError(f"{named(what, where)}: got an array of {raw.dtype}, wanted real numbers")
     array = np.array(raw, dtype=float)

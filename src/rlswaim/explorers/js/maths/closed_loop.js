@@ -53,8 +53,8 @@ function pathOf(system, state, running, sign, start) {
 export function closedLoop(system, state) {
   return once(system, `poles ${placesOf(system, state)}`, () => {
     const poles = namedPoles(system, state);
-    let now = withoutGains(state, system.closing);
-    for (const running of system.closing) {
+    let now = withoutGains(state, system.locus_gains);
+    for (const running of system.locus_gains) {
       const gain = state[running];
       if (gain === 0) continue;
       const end = pathOf(system, now, running, Math.sign(gain), poles)(gain);
