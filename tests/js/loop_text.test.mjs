@@ -13,7 +13,11 @@ const TWO = states([[-1, 0], [0, -2]], [[1], [1]], [[1, 1]], 0); // biome-ignore
 
 test('expressions: factors stay factors, sums are multiplied out', () => {
   assert.deepEqual(readLoop('(s+1)/(s^2+2s+5)'), fraction([1, 1], [1, 2, 5]));
-  assert.deepEqual(readLoop('G(s) = 1/(z-1)/(z-.5);'), factors([], [[1, 0], [0.5, 0]], 1, true)); // biome-ignore format: pairs
+  const discrete = [
+    [1, 0],
+    [0.5, 0],
+  ];
+  assert.deepEqual(readLoop('G(s) = 1/(z-1)/(z-.5);'), factors([], discrete, 1, true));
   const found = readLoop('5 (s+1)/(s (s+2)^2 (s^2 + 2 s + 5))');
   const poles = [[0, 0], [-2, 0], [-2, 0], [-1, 2], [-1, -2]]; // biome-ignore format: pairs
   assert.deepEqual(found, factors([[-1, 0]], poles, 5));

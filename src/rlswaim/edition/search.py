@@ -115,7 +115,14 @@ class Problem:
         return np.array([_place(self.rows[name], gains[name]) for name in self.sought])
 
     def rounded(self, u: NDArray, digits: int = 9) -> dict[str, float]:
-        """Return gains and stations at one place ``u``, shape (n,), to so many ``digits``."""
+        """Return gains and stations at one place.
+
+        Parameters
+        ----------
+        u : ndarray, shape (n,)
+        digits : int
+            Significant ones that are kept.
+        """
         return {name: float(f"{x[0]:.{digits}g}") for name, x in self.gains(u[:, None]).items()}
 
 

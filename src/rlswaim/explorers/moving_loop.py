@@ -15,8 +15,10 @@ WINDOW = {"x": -4.5, "y": -0.4, "w": 19.0}
 """Middle, lower border and width of the part of the s plane (1/s) that is shown."""
 PAGE = "04-rate-and-attitude-feedback.html"
 """The page of the book with the workbench of this loop."""
-SENT = ("parameters", "terms", "shapes", "choice", "poles", "actuators", "branches")
-SENT += ("locus_gains", "loci")
+SENT = (
+    *("parameters", "terms", "shapes", "choice", "poles", "actuators", "branches"),
+    *("locus_gains", "loci"),
+)
 """What of a workbench's payload a locus needs, beside the range of its gain."""
 
 

@@ -67,7 +67,10 @@ const levelLine =
     straight(plane, [view.left, level], [view.right, level], color || theme.axis, width);
   };
 
-/** A margin as a line from the curve to 0 dB or to -180 degrees. @param {Frequencies} f @param {string} kind */
+/**
+ * A margin as a line from the curve to 0 dB or to -180 degrees.
+ * @param {Frequencies} f @param {string} kind
+ */
 const marginLines =
   ({ margins }, kind) =>
   /** @param {Plane} plane */
@@ -156,7 +159,10 @@ export function drawBode(g, { size, phase }, theme, frequencies) {
   beside(g, 'phase (°)', phase, theme);
 }
 
-/** What an axis is, along it. @param {Graphics} g @param {string} words @param {View} view @param {Theme} theme */
+/**
+ * What an axis is, along it.
+ * @param {Graphics} g @param {string} words @param {View} view @param {Theme} theme
+ */
 function beside(g, words, { frame }, theme) {
   g.save();
   g.translate(7, frame.y + frame.h / 2);

@@ -12,8 +12,8 @@ import { Plane } from './plane.js';
  */
 /** @typedef {{ kind: string, short: string, at: Sample, governs: boolean }} MarginMark */
 /**
- * What all pictures draw: modeOf has the mode of each point of the curve, lobes those with their tops, asked the margins
- * that are required (dB, degrees; 0 for none).
+ * What all pictures draw: modeOf has the mode of each point of the curve, lobes those with their tops,
+ * asked the margins that are required (dB, degrees; 0 for none).
  * @typedef {{ curve: Curve, modeOf: (Mode | undefined)[], lobes: { mode: Mode, at: Sample }[],
  *   margins: MarginMark[], marked: Sample | null, asked: { gain: number, phase: number } }} Frequencies
  */
@@ -88,7 +88,10 @@ export const coloredCurve =
     }
   };
 
-/** The names of lobes at their tops. @param {Frequencies} frequencies @param {Place} place @returns {Layer} */
+/**
+ * The names of lobes at their tops.
+ * @param {Frequencies} frequencies @param {Place} place @returns {Layer}
+ */
 export const lobeNames =
   ({ lobes }, place, onlyInside = false) =>
   (plane) => {

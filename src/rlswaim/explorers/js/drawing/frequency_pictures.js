@@ -14,7 +14,10 @@ import { drawNyquist, nyquistView } from './nyquist_picture.js';
 const ROOMY = 840; // px from which all three stand side by side
 const BOTH = 520; // px from which two do
 
-/** @param {string} kind @param {number} x @param {number} y @param {number} w @param {number} h @returns {Box} */
+/**
+ * @param {string} kind @param {number} x @param {number} y @param {number} w @param {number} h @returns
+ *   {Box}
+ */
 const box = (kind, x, y, w, h) => ({ kind, x, y, w, h });
 
 /**

@@ -5,7 +5,10 @@ import { spotOf } from './frequency_pictures.js';
 /** @import { View } from '../types.d.ts' */
 /** @import { Frequencies } from './frequency_axes.js' */
 /** @import { Placed } from './frequency_pictures.js' */
-/** @typedef {{ picture: Placed, view: View, isPhase: boolean, qx: number, qy: number }} Under px of a picture */
+/**
+ * @typedef {{ picture: Placed, view: View, isPhase: boolean, qx: number, qy: number }} Under px of a
+ *   picture
+ */
 /**
  * A point of the curve that is held: by which factor the gain changes as the pointer goes elsewhere.
  * @typedef {{ omega: number, factor: (px: number, py: number) => number }} Held

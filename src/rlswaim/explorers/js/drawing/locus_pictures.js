@@ -14,8 +14,10 @@ import { zPlane } from './z_plane.js';
  *   discrete: roots in z, not in s
  */
 
+const NO_REGION = { sigma: 0, zeta: 0 };
+
 /** @param {Locus} locus @param {Theme} theme @param {Extra} extra @returns {Layer[]} */
-function marksOf(locus, theme, { printed, selected, region, cloud = [], discrete }) {
+function marksOf(locus, theme, { printed, selected, region = NO_REGION, cloud = [], discrete }) {
   const names = locus.open.branches;
   return [
     requiredRegion(region),

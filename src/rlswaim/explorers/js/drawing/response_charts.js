@@ -47,8 +47,8 @@ const columnsOf = (width, count) => Math.min(count, Math.max(1, Math.floor(width
 export const heightOf = (width, count) => Math.ceil(count / columnsOf(width, count)) * ROW;
 
 /**
- * How many stand side by side, and the height of each: of all ways to fill the room the one whose pictures are
- * nearest to twice as wide as high; in the room that they ask for themselves, as they ask for it.
+ * How many stand side by side, and the height of each: of all ways to fill the room the one whose pictures
+ * are nearest to twice as wide as high; in the room that they ask for themselves, as they ask for it.
  * @param {number} width @param {number} height @param {number} count
  */
 function layoutOf(width, height, count) {

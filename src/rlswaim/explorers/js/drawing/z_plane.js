@@ -1,5 +1,5 @@
-// The upper half of the z plane as a ground for marks: outside of the unit circle roots are unstable; lines of
-// constant damping and frequency are those of s with z = e^(sT).
+// The upper half of the z plane as a ground for marks: outside of the unit circle roots are unstable; lines
+// of constant damping and frequency are those of s with z = e^(sT).
 import { ground, Plane } from './plane.js';
 import { axes } from './s_plane.js';
 import { stepOf } from './ticks.js';

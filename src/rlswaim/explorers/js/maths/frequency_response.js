@@ -73,8 +73,8 @@ function peaksOf(loop, points) {
 }
 
 /**
- * The response at frequencies that show all of it. The phase is between -360 and 0 degrees at the first of the
- * frequencies that have to be among them, or begins between -270 and 90.
+ * The response at frequencies that show all of it. The phase is between -360 and 0 degrees at the first of
+ * the frequencies that have to be among them, or begins between -270 and 90.
  * @param {Loop} loop
  * @param {number[]} also
  * @returns {Curve}

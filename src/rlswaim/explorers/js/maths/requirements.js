@@ -1,7 +1,10 @@
 // What may be asked of a closed loop, and whether it holds: bounds on its poles and on its margins.
 
 /** @typedef {{ re: number, im: number, name: string }} Pole */
-/** @typedef {{ gain: { dB: number, omega: number }[], phase: { degrees: number, omega: number }[] }} Margins */
+/**
+ * @typedef {{ gain: { dB: number, omega: number }[], phase: { degrees: number, omega: number }[] }}
+ *   Margins
+ */
 /** @typedef {Record<string, number>} Requirements the bound of each kind that is asked for */
 /** @typedef {{ poles: Pole[], margins: Margins | null, isStable: boolean }} Loop */
 /**
@@ -11,7 +14,10 @@
 
 const SETTLED = Math.log(50); // times the slowest pole's time constant until 2 % are left
 
-/** The damping ratio with which a pair of poles alone overshoots by so many percent. @param {number} percent */
+/**
+ * The damping ratio with which a pair of poles alone overshoots by so many percent.
+ * @param {number} percent
+ */
 export function dampingOf(percent) {
   const log = -Math.log(percent / 100);
   return log / Math.hypot(Math.PI, log);

@@ -17,7 +17,10 @@ function valueAt({ l_CG, phi }, kind, mode, station) {
 export const valuesAtFeet = (bent, kind, mode) =>
   Float64Array.from({ length: FEET }, (_, foot) => valueAt(bent, kind, mode, foot));
 
-/** The shapes of a system along the whole vehicle. @param {Record<string, Shape>} shapes @param {Bent} bent */
+/**
+ * The shapes of a system along the whole vehicle.
+ * @param {Record<string, Shape>} shapes @param {Bent} bent
+ */
 export const shapesAlong = (shapes, bent) =>
   Object.fromEntries(
     Object.entries(shapes).map(([factor, shape]) => [

@@ -16,7 +16,8 @@ export function pythonWith(system, values, compensator) {
   const closed = call.split('\n')[0].replace(`${place}=null`, `${place}=${place}`);
   const factors = sections.map(({ kind, values: its }) => {
     const { N, D } = KINDS[kind].ratio(its);
-    return `C *= control.tf(${listOf(N)}, ${listOf(D)})  # ${KINDS[kind].text.toLowerCase()}: ${its.join(', ')}`;
+    const told = `${KINDS[kind].text.toLowerCase()}: ${its.join(', ')}`;
+    return `C *= control.tf(${listOf(N)}, ${listOf(D)})  # ${told}`;
   });
   return [
     'import control',

@@ -1,5 +1,5 @@
-// What takes hold of a compensator's poles and zeros: a ring about each, in the s plane and at its frequency on
-// the Bode diagram, for mouse, finger and keys.
+// What takes hold of a compensator's poles and zeros: a ring about each, in the s plane and at its
+// frequency on the Bode diagram, for mouse, finger and keys.
 import { roots } from '../maths/aberth.js';
 import { KINDS, rootsOf } from '../maths/compensator.js';
 import { button, element } from '../page/elements.js';
@@ -68,8 +68,8 @@ export class Grips {
   /**
    * @param {HTMLElement} stage on which they lie
    * @param {{ view: () => View, spot: (grip: Grip, view: View) => Spot,
-   *   moved: (grip: Grip, x: number, y: number) => [number, number], put: (section: number, values: number[]) =>
-   *   void, drop: () => void }} place how a root and a place of the stage belong together
+   *   moved: (grip: Grip, x: number, y: number) => [number, number], put: (section: number, values:
+   * number[]) => void, drop: () => void }} place how a root and a place of the stage belong together
    */
   constructor(stage, place) {
     this.place = place;

@@ -200,8 +200,8 @@ export class CompensatorPanel {
     if (!isProper(compensator))
       return 'It has more zeros than poles, so it cannot be built and is left out until a pole is added.';
     return (
-      `C(s) = ${number(compensator.gain)} times its sections, each 1 at s = 0 where it can be, stands in the ` +
-      `path of ${place}, before its actuator: the signal is multiplied by ${place} C(s). ${WITHOUT}`
+      `C(s) = ${number(compensator.gain)} times its sections, each 1 at s = 0 where it can be, stands in ` +
+      `the path of ${place}, before its actuator: the signal is multiplied by ${place} C(s). ${WITHOUT}`
     );
   }
 }

@@ -56,7 +56,7 @@ export class CriteriaCard {
     set(
       this.words,
       stable
-        ? `Motions over ${HORIZON} s after a ${text}; margins of the loop of the locus, named by the nearest root.`
+        ? `Motions over ${HORIZON} s after a ${text}; margins of the locus' loop, named by the nearest root.`
         : 'This loop is not stable: its motions grow, and it has no margins.',
     );
     this.body.replaceChildren(...(stable ? [...this.#motions(), ...this.#margins(poles)] : []));

@@ -1,5 +1,5 @@
-// The loop that the locus closes, cut open: its Bode, Nichols and Nyquist diagrams, linked with each other and
-// with the locus. Dragged up or down, the curve sets the running gain.
+// The loop that the locus closes, cut open: its Bode, Nichols and Nyquist diagrams, linked with each other
+// and with the locus. Dragged up or down, the curve sets the running gain.
 import { contextOf } from '../drawing/context.js';
 import { sampleOf } from '../drawing/frequency_axes.js';
 import { boxesOf, drawFrequencies, heightOfBoxes, placed } from '../drawing/frequency_pictures.js';
@@ -231,6 +231,7 @@ export class FrequencyPanel {
   later() {
     if (!this.cut) return;
     const tops = (this.frequencies?.lobes ?? []).map(({ mode, at }) => `${mode.name}: ${sampleWords(at)}`);
-    this.canvas.ariaLabel = `${this.#title()}. ${this.#margins()}${tops.length ? ` Lobes: ${tops.join('; ')}.` : ''}`;
+    const lobes = tops.length ? ` Lobes: ${tops.join('; ')}.` : '';
+    this.canvas.ariaLabel = `${this.#title()}. ${this.#margins()}${lobes}`;
   }
 }

@@ -4,7 +4,10 @@ import { modeShape } from '../maths/mode_shape.js';
 /** @import { Values } from '../types.d.ts' */
 /** @import { Lifecycle } from '../page/lifecycle.js' */
 /** @import { PageBench } from './page_bench.js' */
-/** @typedef {(motions: Values | null, name: string) => void} Show motions as the view's sliders; null at rest */
+/**
+ * @typedef {(motions: Values | null, name: string) => void} Show motions as the view's sliders; null at
+ *   rest
+ */
 
 const PERIOD = 2400; // ms of one swing on the page, whatever the mode's own
 const LARGEST = 40; // ft, the largest deflection that is drawn

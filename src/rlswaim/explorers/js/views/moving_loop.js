@@ -1,5 +1,5 @@
-// A small root locus whose gain runs by itself: the poles wander along it until the reader stops them, moves the
-// gain by hand, or goes on to the workbench.
+// A small root locus whose gain runs by itself: the poles wander along it until the reader stops them,
+// moves the gain by hand, or goes on to the workbench.
 import { windowOf } from '../drawing/camera.js';
 import { contextOf } from '../drawing/context.js';
 import { drawLocus } from '../drawing/locus_pictures.js';

@@ -1,4 +1,5 @@
-// What is asked of the closed loop: bounds that are typed here, hatched in the s plane, and told to hold or not.
+// What is asked of the closed loop: bounds that are typed here, hatched in the s plane, and told to hold or
+// not.
 import { cutLoop } from '../maths/cut_loop.js';
 import { marginsOf } from '../maths/margins.js';
 import { marginsOnCurve } from '../maths/margins_on_curve.js';
@@ -9,8 +10,9 @@ import { foundWords, isSensible, textOfAsked } from '../page/requirement_text.js
 /** @import { Workbench } from './workbench.js' */
 
 const EXPLAINED =
-  'The hatched part of the s plane is where no pole may be, that of the Nichols diagram where the curve may not be. Settling time and overshoot are told by the poles: ' +
-  'the slowest of them and the least damped pair, as if it were alone. Margins are those of the loop that is cut.';
+  'The hatched part of the s plane is where no pole may be, that of the Nichols diagram where the curve ' +
+  'may not be. Settling time and overshoot are told by the poles: the slowest of them and the least damped ' +
+  'pair, as if it were alone. Margins are those of the loop that is cut.';
 
 export class RequirementPanel {
   /** @param {Workbench} bench */
