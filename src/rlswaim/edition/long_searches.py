@@ -22,8 +22,7 @@ from rlswaim.edition.search import OBJECTIVES, Found, Problem, bounds, evolution
 from rlswaim.edition.slopes import costs_and_slopes
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.loops.closed_loops import LOOPS, state_space
-from rlswaim.rootlocus.exact_polynomials import characteristic_polynomial
-from rlswaim.rootlocus.polynomials import roots
+from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial
 from rlswaim.vehicle.equations import PerturbationEquations, printed_equations
 from rlswaim.vehicle.stations import LENGTH
 
@@ -103,7 +102,10 @@ def embedded(gains: Mapping[str, float], system: str) -> dict[str, float]:
 
 
 def exact_abscissa(eqs: PerturbationEquations, key: Key, gains: Mapping[str, float]) -> float:
-    """Return the abscissa (1/s) by an objective from a polynomial whose coefficients are correctly rounded.
+    """Return the abscissa (1/s) by an objective, from the exact polynomial's roots to sixty digits.
+
+    Where four roots meet, a coefficient's last digit moves them by its fourth root.  Needs mpmath, which
+    the tests have.
 
     Parameters
     ----------
@@ -112,7 +114,12 @@ def exact_abscissa(eqs: PerturbationEquations, key: Key, gains: Mapping[str, flo
         System and objective.
     gains : mapping of str to float
     """
-    poles = roots(characteristic_polynomial(state_space(eqs, key[0], gains).A))
+    import mpmath  # noqa: PLC0415
+
+    polynomial = exact_characteristic_polynomial(state_space(eqs, key[0], gains).A)
+    with mpmath.workdps(60):
+        exact = [mpmath.mpf(c.numerator) / c.denominator for c in reversed(polynomial)]
+        poles = np.array([complex(root) for root in mpmath.polyroots(exact, maxsteps=500, extraprec=600)])
     return float(abscissas(poles[None], key[1].endswith("apart"))[0])
 
 
