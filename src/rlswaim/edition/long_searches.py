@@ -118,8 +118,9 @@ def exact_abscissa(eqs: PerturbationEquations, key: Key, gains: Mapping[str, flo
 
     polynomial = exact_characteristic_polynomial(state_space(eqs, key[0], gains).A)
     with mpmath.workdps(60):
-        exact = [mpmath.mpf(c.numerator) / c.denominator for c in reversed(polynomial)]
-        poles = np.array([complex(root) for root in mpmath.polyroots(exact, maxsteps=500, extraprec=600)])
+        exact = [mpmath.mpf(c.numerator) / c.denominator for c in polynomial]
+        found = mpmath.polyroots(exact, maxsteps=500, extraprec=600, asc=True)
+        poles = np.array([complex(root) for root in found])
     return float(abscissas(poles[None], key[1].endswith("apart"))[0])
 
 

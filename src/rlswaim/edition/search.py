@@ -250,8 +250,8 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
     Returns
     -------
     dict of str to dict of str to str
-        Column, row, text.  The rows are the gains and stations; the objective's abscissa (1/s), from the
-        wired state space and from determinants; what each of two ways found by itself; the slow root (1/s)
+        Column, row, text.  The rows are the gains and stations; the objective's abscissa (1/s), stored
+        and from determinants in floats; what each of two ways found by itself; the slow root (1/s)
         and its time constant (s).
     """
     rows = bounds(system)
@@ -282,15 +282,12 @@ def _by_descents(found: Found) -> dict[str, str]:
 
 def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
     poles = state_space(eqs, found.system, found.gains).poles()
-    ways, apart = (
-        (poles, roots(polynomial(eqs, found.system, found.gains))),
-        found.objective.endswith("apart"),
-    )
-    first, second = (f"{abscissas(p[None], apart)[0]:.4f}" for p in ways)
+    others = roots(polynomial(eqs, found.system, found.gains))
+    second = abscissas(others[None], found.objective.endswith("apart"))[0]
     slow = slow_roots(poles[None])[0]
     return {
-        "largest real part (1/s)": first,
-        "from determinants (1/s)": second,
+        "largest real part (1/s)": f"{found.abscissa:.4f}",
+        "from determinants (1/s)": f"{second:.4f}",
         "evolution alone found (1/s)": f"{found.evolution:.4f}",
         "adaptation alone found (1/s)": f"{found.adaptation:.4f}",
         **_by_descents(found),
