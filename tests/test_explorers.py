@@ -104,8 +104,9 @@ class TestPython:
         assert base64.b64decode(explorer._repr_mimebundle_()["image/png"]).startswith(b"\x89PNG")
 
     def test_weight(self, explorer):
-        sent = json.dumps(explorer.payload) + explorer._esm + explorer._css
-        assert len(gzip.compress(sent.encode())) < 80_000
+        """What a view's own data weigh, and what all views of the book share and load once."""
+        assert len(gzip.compress(json.dumps(explorer.payload).encode())) < 25_000
+        assert len(gzip.compress((explorer._esm + explorer._css).encode())) < 110_000
 
     @pytest.mark.parametrize("view", [Explorer, Comparison])
     def test_module_neither_evaluates_text_nor_loads_anything(self, view):

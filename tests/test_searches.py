@@ -158,8 +158,8 @@ def test_adaptation_stays_in_the_cube_and_never_gets_worse():
 @pytest.mark.parametrize("objective", ["all", "pair-apart"])
 def test_a_long_search_keeps_what_a_harder_problem_found(objective, monkeypatch):
     """Almost without generations of its own it is no worse than the winners it starts from."""
-    few_of = ("ROUNDS", "ADAPTED", "LAST", "SHORT_ROUNDS", "STARTS", "SETTLED", "HOPS")
-    for name, few in (*((name, 1) for name in few_of), ("DESCENTS", 2)):
+    few_of = ("ROUNDS", "ADAPTED", "LAST", "SHORT_ROUNDS", "STARTS", "SETTLED", "HOPS", "AROUND", "FEW")
+    for name, few in (*((name, 1) for name in few_of), ("DESCENTS", 2), ("SHORT", 2)):
         monkeypatch.setattr(long_searches, name, few)
     key = ("dual_actuation", objective)
     found = long_searches.long_search(EQS, key, rl.searches())

@@ -13,7 +13,7 @@ from typeset_tables import in_html, typeset
 HTML = Path(__file__).parent.parent / "_build" / "html"
 BOOK = Path(__file__).parent.parent / "book"
 PAGES = sorted(path.stem for path in BOOK.iterdir() if path.suffix in (".ipynb", ".md"))
-BARE = re.compile(r"\b(?:omega|phi|zeta|alpha|theta|gamma|delta|sigma)(?:_\w)?\b|\b[A-Zl]_\w|\^\d")
+BARE = re.compile(r"\b(?:omega|phi|zeta|alpha|theta|gamma|delta|sigma)(?:_\w)?\b|\b(?<!\w-)[A-Zl]_\w|\^\d")
 
 
 def set_as(text: str) -> str:

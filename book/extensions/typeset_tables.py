@@ -88,7 +88,7 @@ class TypesetTables(SphinxPostTransform):
                     text.parent.replace(text, list(typeset(str(text))))
         for raw in list(self.document.findall(nodes.raw)):
             if "<table" in raw.astext():
-                raw.parent.replace(raw, nodes.raw("", in_html(raw.astext()), format=raw["format"]))
+                raw.parent.replace(raw, nodes.raw("", in_html(raw.astext()), **raw.attributes))
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
