@@ -31,7 +31,7 @@ PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -na
 FRAME := _config.yml _toc.yml CITATION.cff $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
-.PHONY: help installed packages ready serve book pdf test fuzz bench searches designs test-oldest test-newest lint scripts notebooks lock clean
+.PHONY: help installed packages ready serve book lab pdf test fuzz bench searches designs test-oldest test-newest lint scripts notebooks lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -56,12 +56,16 @@ pdf: ready ## print the whole book into _build/book.pdf, with an outline and lin
 	$(BIN)/jupyter-book build . --builder singlehtml -W -n --keep-going
 	PYTHONPATH=tests $(BIN)/python book/whole_book.py _build/singlehtml _build/book.pdf
 
+lab: installed ## open copies of the notebooks in JupyterLab, where their prose has its numbers
+	$(BIN)/python book/lab_copies.py _build/lab
+	$(BIN)/jupyter lab --LabApp.news_url= --LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate _build/lab
+
 test: ready ## check everything: numbers, notebooks, contracts, and each built page in Chromium
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST)  # the tests of a file share what they prepare
 
-fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad input, and at each page's address
-	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py tests/test_hostile_addresses.py
+fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad input, each page's address and the loop field
+	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py tests/test_hostile_addresses.py tests/test_own_loop_view.py
 
 bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
 	@mkdir -p _build
@@ -80,6 +84,8 @@ designs: installed ## search the gains of fixed structures and draw 2,000 vehicl
 	mv _build/synthesis.csv src/rlswaim/source/data/synthesis.csv
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.monte_carlo > _build/monte_carlo.csv
 	mv _build/monte_carlo.csv src/rlswaim/source/data/monte_carlo.csv
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.structured > _build/structured.csv
+	mv _build/structured.csv src/rlswaim/source/data/structured.csv
 
 test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest
 	$(call elsewhere,.oldest,--resolution lowest-direct)

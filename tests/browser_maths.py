@@ -19,7 +19,20 @@ from rlswaim.source.tables import script
 
 EQUATIONS = {"data": rl.perturbation_equations(rl.swaim_booster()), "printed": rl.printed_equations()}
 EQS = EQUATIONS["printed"]
-MATHS = ("closed_loop", "gain_at", "locus", "margins", "mode_shape", "open_loop", "responses")
+MATHS = (
+    "closed_loop",
+    "compensated",
+    "compensator",
+    "cut_loop",
+    "frequency_response",
+    "gain_at",
+    "locus",
+    "loop_modes",
+    "margins",
+    "mode_shape",
+    "open_loop",
+    "responses",
+)
 SCRIPTS = "http://127.0.0.1/maths/"
 VIEW = {"left": -12.0, "right": 4.0, "bottom": -1.0, "top": 13.0, "scale": 40.0, "tolerance": 0.25}
 COUNT = 1000
@@ -36,7 +49,7 @@ def sent(section: str) -> dict:
     """Return the payload as the browser gets it."""
     view, polynomial = VIEWS[section], forms(section).polynomial
     return {
-        **json.loads(json.dumps(payload(view, EQS, forms(section)))),
+        **json.loads(json.dumps(payload(view, EQS, polynomial))),
         "terms": [term._asdict() for term in polynomial.terms],
         "parameters": [{"name": p.name, "grid": p.grid} for p in view.parameters(EQS)],
     }

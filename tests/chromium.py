@@ -4,7 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
@@ -20,6 +20,8 @@ FLAGS = [
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 ]
 """How it is started: it resolves no name."""
+HASTE = ["-o", "Acquire::http::Timeout=30", "-o", "Acquire::Retries=1"]
+"""Without a network apt gives up soon."""
 WANTED = "No Chromium: install the package chromium, or set CHROMIUM to a browser's path, and run make again."
 
 
@@ -52,17 +54,24 @@ def _succeeds(*command: str) -> bool:
     return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=sys.stderr, check=False).returncode == 0
 
 
-def from_debian() -> str | None:
-    """Install Debian's chromium where this user may, and return its path."""
+def from_debian(names: Sequence[str] = NAMES, package: str = "chromium") -> str | None:
+    """Install a browser of Debian's where this user may, and return the path of its program.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names that the program may have.
+    package : str
+    """
     if not shutil.which("apt-get"):
         return None
     rights = [] if os.geteuid() == 0 else ["sudo", "-n"]
     if rights and not (shutil.which("sudo") and _succeeds(*rights, "true")):
         return None
-    apt = [*rights, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-qq"]
+    apt = [*rights, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-qq", *HASTE]
     _succeeds(*apt, "update")
-    _succeeds(*apt, "install", "-y", "--no-install-recommends", "chromium")
-    return installed()
+    _succeeds(*apt, "install", "-y", "--no-install-recommends", package)
+    return next(filter(None, map(shutil.which, names)), None)
 
 
 def from_playwright() -> str | None:

@@ -121,21 +121,25 @@ class LivePage(NamedTuple):
 
     def control(self, name: str) -> Locator:
         """Return the row of a parameter: its slider and box, or its buttons."""
-        choices = [p.name for p in self.view.parameters if isinstance(p.grid[0], str)]
+        choices = [p.name for p in self.beside() if isinstance(p.grid[0], str)]
         if name in choices:
             return self.panel.locator(".widget-toggle-buttons").nth(choices.index(name))
         return self.panel.locator(".widget-hbox").nth(self.numbers().index(name))
 
     def numbers(self) -> list[str]:
         """Return the parameters with sliders."""
-        return [p.name for p in self.view.parameters if not isinstance(p.grid[0], str)]
+        return [p.name for p in self.beside() if not isinstance(p.grid[0], str)]
+
+    def beside(self) -> list[Any]:
+        """Return the parameters whose controls are widgets beside the view."""
+        return [p for p in self.view.parameters if not p.folded]
 
     def values(self) -> dict[str, Any]:
         """Return the parameters as the page shows them: those in the boxes, and the buttons pressed."""
         boxes, pressed = map(iter, self.panel.evaluate(SHOWN))
         return {
             p.name: next(pressed) if isinstance(p.grid[0], str) else type(p.grid[0])(next(boxes))
-            for p in self.view.parameters
+            for p in self.beside()
         }
 
     def library_at(self, values: dict[str, Any] | None = None) -> Any:

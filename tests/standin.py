@@ -9,7 +9,8 @@ from playwright.sync_api import Browser, Page
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim.explorers
-from rlswaim.explorers import Explorer
+from rlswaim.explorers import Comparison
+from rlswaim.explorers.live_view import LiveView
 
 SITE = "http://view.test/"
 MODEL = (Path(__file__).parent / "explorer_model.js").read_text(encoding="utf-8")
@@ -21,10 +22,13 @@ def paired(first: np.ndarray, second: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return first[rows], second[columns]
 
 
-def model_state(explorer: Explorer) -> dict:
+def model_state(explorer: LiveView | Comparison) -> dict:
     """Return the traits that the view reads."""
+    if isinstance(explorer, Comparison):
+        return {"left": explorer.left, "right": explorer.right, "payload": explorer.payload}
     places = {f"{p.name}_at": getattr(explorer, f"{p.name}_at") for p in explorer.parameters}
-    return {**explorer.values(), **places, "magnify": explorer.magnify, "payload": explorer.payload}
+    magnify = getattr(explorer, "magnify", 1.0)
+    return {**explorer.values(), **places, "magnify": magnify, "payload": explorer.payload}
 
 
 SCRIPTS = Path(rlswaim.explorers.__file__).parent / "js"
@@ -42,7 +46,9 @@ def go_to_empty_page(page: Page, address: str = SITE) -> None:
 
 
 @contextmanager
-def opened(browser: Browser, explorer: Explorer, address: str = SITE, **context) -> Iterator[Page]:
+def opened(
+    browser: Browser, explorer: LiveView | Comparison, address: str = SITE, **context
+) -> Iterator[Page]:
     """Show the view on an empty page of its own; anything that the page complains about is an error."""
     page = browser.new_context(**{"viewport": {"width": 900, "height": 900}, **context}).new_page()
     errors: list[str] = []

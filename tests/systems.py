@@ -56,6 +56,13 @@ def polynomial_at(coefficients, s):
     return np.abs(s**order @ coefficients) / size
 
 
+def rounding_of(coefficients, s):
+    """Return how far rounding of the coefficients moves roots (1/s), to first order."""
+    p = np.polynomial.Polynomial(coefficients)
+    size = np.abs(s)[:, None] ** np.arange(len(coefficients)) @ np.abs(coefficients)
+    return np.finfo(float).eps * size / np.abs(p.deriv()(s))
+
+
 def same_poles(A, B):
     """Say whether det(sI - A) = det(sI - B) at points around all eigenvalues of both."""
     size = 2 * max(np.linalg.norm(A, 2), np.linalg.norm(B, 2), 1.0)

@@ -7,7 +7,15 @@ import pytest
 import rlswaim as rl
 from bad_input import NOT_FINITE, OFF_THE_VEHICLE, cases, refused
 from rlswaim.edition import conclusions, conditioning, printed_closures, robustness, table_3, table_3_readings
-from rlswaim.loops import certificates, closed_loops, closures, gain_terms, named_branches, transfer_functions
+from rlswaim.loops import (
+    certificates,
+    closed_loops,
+    closures,
+    cut_loop,
+    gain_terms,
+    named_branches,
+    transfer_functions,
+)
 from rlswaim.loops.control_systems import DUAL_ACTUATION
 from rlswaim.vehicle.equations import with_reading
 
@@ -51,7 +59,11 @@ OF_A_NUMBER = {
     "K_R of a polynomial": lambda eqs, x: closed_loops.polynomial(eqs, "rigid_angle", ATTITUDE | {"K_R": x}),
     "pole of a pair": lambda eqs, x: DUAL_ACTUATION.around(eqs).with_pair(many(), complex(x, 1.0)),
     "K_A of a margin": lambda eqs, x: robustness.margins(eqs, FOUND | {"K_A": x}, "jet"),
-    "alpha_0": conclusions.with_longitudinal,
+    "alpha_0": lambda eqs, x: conclusions.with_longitudinal(eqs, x, 0.75),
+    "gamma_0": lambda eqs, x: conclusions.with_longitudinal(eqs, 0.1, x),
+    "gain of a cut": lambda eqs, x: cut_loop.cut_loop(
+        lambda k: rl.rate_attitude(eqs, **ATTITUDE | {"K_A": k}, gyro=60), x
+    ),
 }
 OF_A_STATION = {
     "sensor of a jet": lambda eqs, x: closures.closure_1_polynomial(eqs, JET._replace(sensor=x), KK_Z),

@@ -49,7 +49,8 @@ def response_of(loop: control.StateSpace, stimulus: dict, times: np.ndarray) -> 
 
 def stimuli(section: str) -> list[tuple[dict, np.ndarray]]:
     """Return an input for each random state, over a time in which no motion grows beyond e^12."""
-    names = list(sent(section)["numerators"])
+    plant = sent(section)["plant"]
+    names = [*plant["inputs"], *(f"{name}(0)" for name in plant["initial"])]
     found = []
     for i, loop in enumerate(loops(section)):
         fastest = max(loop.poles().real.max(), 1e-9)

@@ -100,7 +100,7 @@ def chosen_designs(opened: LivePage, texts: dict[str, str]) -> None:
 
 
 def shown_values(opened: LivePage, texts: dict[str, str]) -> None:
-    grids = {parameter.name: parameter.grid for parameter in opened.view.parameters}
+    grids = {parameter.name: parameter.grid for parameter in opened.beside()}
     assert set(texts) == set(grids)
     assert [name for name, text in texts.items() if not is_a_value(grids[name], text)] == []
     for name, value in opened.values().items():

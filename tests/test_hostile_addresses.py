@@ -1,7 +1,7 @@
 """Random and hostile addresses of the built pages: no error, no long task, and the views live on.
 
 100 addresses a page with ``make test``, 2,000 with ``make fuzz``; most come by a change of the address, one
-of 25 by a fresh load.  A task over 500 ms counts when it is so in each of four tries: a busy machine may hold
+of 50 by a fresh load.  A task over 500 ms counts when it is so in each of four tries: a busy machine may hold
 up any page once, a state that is slow to draw is slow each time.
 """
 
@@ -16,9 +16,11 @@ from livepage import PAGES, library
 
 COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
 BATCH = 25
+FRESH = 50
 LONGEST = 500  # ms
 TRIES = 4
-SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify")
+SHOWN = ("map", "input", "printed", "mode", "duration", "gust", "locus", "window", "magnify", "desk")
+SHOWN += ("frequency", "compensator", "requirements")
 NUMBERS = ["1e308", "-1e308", "1e155", "1e150", "1e60", "-1e60", "1e400", "Infinity", "-Infinity", "NaN"]
 NUMBERS += ["0", "-0", "1e-320", "-1e-300", "0x10", "1_000", "1,5", "1e", "", " ", "9" * 400, "3.5", "-1"]
 TEXTS = ["%00", "%ZZ", "%E0%A4", "<img src=x onerror=alert(1)>", "%3Cscript%3Ealert(1)%3C/script%3E"]
@@ -26,6 +28,20 @@ TEXTS += ["__proto__", "constructor", "total", "rigid body", "coupling", "K_A", 
 TEXTS += ["'\"`", "\u202e", "=", "a" * 3000]
 WINDOWS = ["1e308_1e308_1e308", "0_0_0", "0_0_-1", "1e308_0_1", "0_0_1e-300", "0_0_1e300", "0_0_1", "1_2_3_4"]
 WINDOWS += ["_", "NaN_0_1", "1e6_1e6_1e-7", "-4_-1_1e5", "0_0_1e-7", "-1e6_0_1e5", "0_1e308_16"]
+DESKS = ["52_57_", "20_80_map.poles", "52_57_map..poles", "99_99_map", "open", "52_57_a" + ".a" * 3000]
+COMPENSATORS = ["K_A~1~notch_3_0.05_0.5~delay_0.1_4~lead_-0.5_-20", "loop_gain~0.5~delay_1_4~poles_3_-1"]
+COMPENSATORS += [
+    "K_A~1e4~pole_1000~pole_0~pole_-0.01~delay_10_4~notch_1000_0_0.01",
+    "K_A~1~zero_0",
+    "K_A~1~pole_1e9",
+]
+COMPENSATORS += ["kK_z~-1~lead_-1000_-0.01~zeros_0.01_1~poles_1000_0.001", "K_z~1~" + "delay_0.1_4~" * 400]
+ASKED = [
+    "zeta_0.999~sigma_1000~settling_0.001~overshoot_0.1~gain_60~phase_179",
+    "zeta_0",
+    "sigma_1e308",
+    "gain_6",
+]
 RUBBISH = ["&&::,,==", "%", "fig-8", ":", "comparison:left", "x" * 20000]
 
 VISIT = """async (addresses) => {
@@ -69,16 +85,33 @@ def part(rng: random.Random, name: str) -> str:
     """Return what an address says of one view: its parameters, what it shows, and names that it hasn't."""
     if name == "comparison":
         pairs = {key: rng.choice([str(rng.randrange(-2, 40)), *NUMBERS]) for key in ("left", "right")}
-        return f"{name}:" + ",".join(f"{key}={text}" for key, text in pairs.items())
+        side = f"{rng.choice(['left', 'right'])}-{library(name).left}"
+        return (
+            f"{name}:"
+            + ",".join(f"{k}={v}" for k, v in pairs.items())
+            + f"&{said(rng, 'rate-attitude', side)}"
+        )
+    return said(rng, name, name)
+
+
+def said(rng: random.Random, name: str, by: str) -> str:
+    """Return what an address says of the view with the parameters of ``name``, called ``by`` in it."""
     pairs = {p.name: value(rng, p.grid) for p in library(name).parameters if rng.random() < 0.6}
     for key in SHOWN:
         if rng.random() < 0.15:
             pairs[f"view.{key}"] = rng.choice([str(rng.randrange(-2, 20)), *NUMBERS, *TEXTS])
     if rng.random() < 0.3:
         pairs["view.window"] = rng.choice(WINDOWS)
+    if rng.random() < 0.1:
+        pairs["view.desk"] = rng.choice(DESKS)
+    if rng.random() < 0.2:
+        pairs["view.compensator"] = rng.choice(COMPENSATORS)
+        pairs["view.frequency"] = rng.choice(["bode", "nichols", "nyquist", "all"])
+    if rng.random() < 0.2:
+        pairs["view.requirements"] = rng.choice(ASKED)
     if rng.random() < 0.2:
         pairs[rng.choice(TEXTS)] = rng.choice(NUMBERS)
-    return f"{name}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())
+    return f"{by}:" + rng.choice([",", ",", ",", ",,", "=,"]).join(f"{k}={v}" for k, v in pairs.items())
 
 
 def addresses(path: str, count: int) -> list[str]:
@@ -89,6 +122,7 @@ def addresses(path: str, count: int) -> list[str]:
         "&&::,,==",
         "%",
         "fig-8",
+        "desk",
         ":",
         "comparison:left",
         f"{names[0]}:",
@@ -127,7 +161,8 @@ def opened(browser, site: str, path: str, errors: list[str], address: str = "") 
 
 
 def assert_alive(page: Page, path: str) -> None:
-    """A key on the first slider of each view, or on its picture, changes what it tells."""
+    """Off the desk, a key on the first slider of each view, or on its picture, changes what it tells."""
+    page.keyboard.press("Escape")
     for name in (name for name, at in PAGES.items() if at == path):
         panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
         target = panel.locator(PICTURES.get(name, "[role=slider]")).first
@@ -158,7 +193,7 @@ def test_addresses_that_change(browser, site, errors, path):
     page = opened(browser, site, path, errors)
     page.wait_for_timeout(500)
     given = addresses(path, COUNT)
-    changing = [address for i, address in enumerate(given) if i % BATCH]
+    changing = [address for i, address in enumerate(given) if i % FRESH]
     suspects = []
     for start in range(0, len(changing), BATCH):
         suspects += page.evaluate(VISIT, changing[start : start + BATCH])
@@ -182,7 +217,7 @@ def longest_while_opening(browser, site, path, errors, address) -> float:
 @pytest.mark.parametrize("path", sorted(set(PAGES.values())))
 def test_addresses_that_a_page_opens_with(browser, site, errors, path):
     """To open a page takes its time on a busy machine: so long may a task be with an address too."""
-    for address in addresses(path, COUNT)[::BATCH]:
+    for address in addresses(path, COUNT)[::FRESH]:
         for _ in range(TRIES):
             longest = longest_while_opening(browser, site, path, errors, address)
             if longest <= LONGEST or longest <= 1.5 * longest_while_opening(browser, site, path, errors, ""):

@@ -10,7 +10,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 import rlswaim as rl
-from rlswaim.edition.ledger import VERDICTS
+from rlswaim.edition.ledger import VERDICTS, open_causes
 from rlswaim.figures.agreement import draw_differences
 from rlswaim.source.tables import number, read_table
 
@@ -135,3 +135,23 @@ def test_picture_shows_every_difference_once():
     )
     assert max(max(line.get_ydata()) for line in marks) == max(abs(e.percent) for e in LEDGER if e.value)
     plt.close(fig)
+
+
+@pytest.mark.parametrize(("found", "count"), [("no", 9), ("reading", 2)])
+def test_open_causes_are_those_of_the_table_that_end_at_no_number(found, count):
+    wanted = [row for row in read_table("causes") if row["found"] == found and not row["to"]]
+    frame = open_causes(found)
+    assert list(frame.index) == [row["cause"] for row in wanted]
+    assert len(frame) == count
+    assert list(frame["rows"]) == [row["rows"].replace(" ", ", ") for row in wanted]
+    assert list(frame["what"]) == [row["what"] for row in wanted]
+    assert frame.index.name == "cause"
+
+
+def test_a_cause_that_is_read_off_a_figure_and_ends_at_a_number_is_not_open():
+    told = [row["cause"] for row in read_table("causes") if row["found"] == "reading" and row["to"]]
+    assert told
+    assert not {*told} & {*open_causes("reading").index}
+    assert open_causes("yes").index.tolist() == [
+        row["cause"] for row in read_table("causes") if row["found"] == "yes" and not row["to"]
+    ]

@@ -28,7 +28,7 @@ def test_each_slider_to_both_ends_by_the_keyboard(fresh):
 @every(*SLID)
 def test_each_slider_to_ten_random_places(fresh):
     rng = np.random.default_rng(1964)
-    for p in fresh.view.parameters:
+    for p in fresh.beside():
         if isinstance(p.grid[0], str):
             continue
         fresh.reset()

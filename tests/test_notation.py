@@ -88,3 +88,19 @@ def test_the_page_shows_every_row_in_one_group():
 def test_coefficients_have_the_units_of_their_table():
     found = {line.symbols[0]: line.notation.unit for line in notation.rows() if "coefficients." in line.place}
     assert found == {row["latex"]: row["unit"] for row in read_table("coefficients")}
+
+
+@pytest.mark.parametrize(
+    ("name", "meaning"),
+    [
+        ("Z_alpha", "what alpha does in the equation of the force"),
+        ("M_thetadot", "what the rate of theta does in the equation of the moment"),
+        ("F1_q1", "what q_1 does in the equation of the first mode"),
+        ("F2_q2dot", "what the rate of q_2 does in the equation of the second mode"),
+        ("M_delta", "what delta does in the equation of the moment"),
+    ],
+)
+def test_a_coefficient_says_which_motion_does_what_in_which_equation(name, meaning):
+    (line,) = (x for x in notation.rows() if x.place == f"PerturbationEquations.coefficients.{name}")
+    assert line.notation.meaning == meaning
+    assert (line.group, line.notation.symbol, line.notation.source) == ("coefficients", name, "Eq. 29")

@@ -12,6 +12,7 @@ import pytest
 import yaml
 
 import rlswaim as rl
+from extensions.typeset_tables import typeset
 from rlswaim.edition.ledger import as_frame
 
 ROOT = Path(__file__).parent.parent
@@ -166,9 +167,8 @@ def test_the_ledger_s_page_prints_every_row(visit):
         page.evaluate("() => window.dispatchEvent(new Event('beforeprint'))")
         assert page.locator(".dt-search").count() == 0
         texts = rows.evaluate_all("rows => rows.map(row => [...row.cells].map(cell => cell.textContent))")
-        shown = (
-            pd.DataFrame(texts).iloc[:, : wanted.shape[1]].replace("’", "'", regex=True)
-        )  # as it is typeset
+        shown = pd.DataFrame(texts).iloc[:, : wanted.shape[1]].replace("’", "'", regex=True)
+        wanted = wanted.map(lambda text: "".join(node.astext() for node in typeset(str(text))))
         assert (shown.to_numpy() == wanted.to_numpy()).all(axis=0).tolist() == [True] * wanted.shape[1]
         page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
         assert page.locator(".dt-search").count() == 1

@@ -129,12 +129,34 @@ def test_pade_is_the_delay_where_the_loop_works():
     assert np.allclose(ratio, np.exp(-0.02j * OMEGA), atol=1e-6)
 
 
+@pytest.mark.parametrize("w", [0.05, 0.3, 2.0])
+def test_complementary_filter_blends_two_gyros(w):
+    """Against the transfer functions themselves, at complex frequencies."""
+    K_R, at = 0.6, constants("ladder")["rate_station"]
+    loop = ladder.rate_attitude_on(EQS, Rung(blend=w), K_A=3.0, K_C=10.0, K_R=K_R, gyro=60.0)
+    for s in (0.1j, 0.9j, 3 + 2j):
+        x = dict(zip(EQS.states, EQS.state_space()(s)[:, 0], strict=True))
+        low, high = (
+            x["theta"] - sum(m.slope(x_0) * x[f"q{i}"] for i, m in enumerate(EQS.modes, start=1))
+            for x_0 in (60, at)
+        )
+        wanted = 30 / (s + 10) * (w / (s + w) * low + (1 / (s + w) + K_R) * s * high)
+        assert loop.open(s) == pytest.approx(wanted, rel=1e-9)
+
+
+def test_complementary_filter_of_one_angle_is_that_angle(monkeypatch):
+    place = constants("ladder") | {"rate_station": 60.0}
+    monkeypatch.setattr("rlswaim.practice.complementary.constants", lambda name: place)
+    blended = ladder.rate_attitude_on(EQS, Rung(blend=0.3), **ATTITUDE, gyro=60.0)
+    near(blended.closed, rl.rate_attitude(EQS, **ATTITUDE, gyro=60.0))
+
+
 def test_steps_hold_every_part():
     assert STEPS["as printed"].rung == Rung()
     for field in fields(Rung):
         changed = [name for name, step in STEPS.items() if getattr(step.rung, field.name)]
         assert changed, field.name
-        assert ("all of the loop, gravity" in changed) == (field.name not in ("level", "drag"))
+        assert ("all of the loop, gravity" in changed) == (field.name not in ("level", "drag", "blend"))
     weights = {name for name, step in STEPS.items() if step.eqs.gravity}
     assert weights == {name for name in STEPS if name.startswith(("gravity", "path", "all"))}
 

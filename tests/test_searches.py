@@ -21,7 +21,7 @@ from rlswaim.loops.control_systems import RATE_ATTITUDE
 from rlswaim.loops.rigid_body_design import WANTED
 from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial
 from rlswaim.rootlocus.polynomials import roots
-from systems import polynomial_at
+from systems import polynomial_at, rounding_of
 
 EQS = rl.printed_equations()
 OWN = rl.perturbation_equations(rl.swaim_booster())
@@ -158,13 +158,15 @@ def test_adaptation_stays_in_the_cube_and_never_gets_worse():
 @pytest.mark.parametrize("objective", ["all", "pair-apart"])
 def test_a_long_search_keeps_what_a_harder_problem_found(objective, monkeypatch):
     """Almost without generations of its own it is no worse than the winners it starts from."""
-    for name, few in (("ROUNDS", 1), ("ADAPTED", 1), ("LAST", 1)):
+    few_of = ("ROUNDS", "ADAPTED", "LAST", "SHORT_ROUNDS", "STARTS", "SETTLED", "HOPS", "AROUND", "FEW")
+    for name, few in (*((name, 1) for name in few_of), ("DESCENTS", 2), ("SHORT", 2)):
         monkeypatch.setattr(long_searches, name, few)
     key = ("dual_actuation", objective)
     found = long_searches.long_search(EQS, key, rl.searches())
     harder = [rl.searches()[inner].abscissa for inner in long_searches.constrained(*key)]
     assert found.abscissa <= min(harder) + 1e-4
-    assert found.abscissa <= min(found.evolution, found.adaptation)
+    assert found.abscissa <= min(found.evolution, found.adaptation, found.descents) + 1e-4
+    assert found.descents <= found.worst
     assert found.evaluations > 0
 
 
@@ -193,10 +195,13 @@ def test_winner_lies_within_its_bounds(winner):
 def test_winner_holds_two_ways(at):
     """The wired state space, in exact arithmetic, and the determinants, in floats: the same roots."""
     winner, state = WINNERS[at], exact_poles(at)
-    other = roots(closed_loops.polynomial(EQS, winner.system, winner.gains))
-    assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
+    polynomial = closed_loops.polynomial(EQS, winner.system, winner.gains)
+    assert max(polynomial_at(polynomial, pole) for pole in state) < 1e-9
+    if rounding_of(polynomial, state).max() < 1e-6:  # floats give roots that meet to few digits alone
+        other = roots(polynomial)
+        assert np.abs(other - paired(other, state)).max() < 1e-4 * np.abs(state).max()
     value = abscissas(state[None], winner.objective.endswith("apart"))[0]
-    assert value == pytest.approx(winner.abscissa, abs=1e-4)
+    assert value == pytest.approx(winner.abscissa, rel=5e-5, abs=1e-4)  # five digits are stored
     if winner.objective.startswith("pair"):
         assert np.abs(state - WANTED).min() < 1e-3
 
@@ -269,11 +274,10 @@ def test_gust_response_is_the_area_under_the_frequency_response():
 
 
 def test_the_equation_along_x_leaves_the_divergence():
-    assert conclusions.with_longitudinal(EQS, 0.0) == pytest.approx(
-        max(roots(EQS.characteristic_polynomial()).real)
-    )
-    moved = conclusions.with_longitudinal(EQS, np.radians(5)) - conclusions.with_longitudinal(EQS, 0.0)
-    assert 1e-3 < abs(moved) < 0.01
+    """Without a steady angle of attack the equation along x follows the others and moves no root."""
+    for gamma_0 in (0.0, 0.75):
+        found = conclusions.with_longitudinal(EQS, 0.0, gamma_0)
+        assert found == pytest.approx(max(roots(EQS.characteristic_polynomial()).real))
 
 
 def test_half_the_payload_surface_lets_rate_and_attitude_feedback_work():

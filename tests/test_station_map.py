@@ -141,4 +141,5 @@ class TestStationMap:
         first = MAKERS["station-map"]()
         second = explorers.station_map_explorer(PRINTED, beside=first)
         assert len(second.panel.children) == 1
-        assert len(first.panel.children) == len(first.parameters) + 1
+        sliders, shown = first.panel.children
+        assert (len(sliders.children), shown) == (len(first.parameters), first)

@@ -1,9 +1,30 @@
 /** Make the tables of cells with the tag "searchable" searchable; on paper all of their rows stand. */
 import DataTable from './dt_bundle.js';
 
+const GREEK = 'alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho';
+const NAMES = `${GREEK} sigma sigma tau upsilon phi chi psi omega`.split(' ');
+
+/**
+ * A cell as its reader may type it: a symbol with its index as K_A, a Greek letter as itself and by its name.
+ * @param {string} html
+ */
+function asTyped(html) {
+  const text = String(html)
+    .replace(/<sub[^>]*>/g, '_')
+    .replace(/<[^>]+>/g, '');
+  return `${text} ${text.replace(/[α-ω]/g, (letter) => NAMES[letter.charCodeAt(0) - 'α'.charCodeAt(0)])}`;
+}
+
 /** @type {object} */
 const OPTIONS = {
   autoWidth: false,
+  columnDefs: [
+    {
+      targets: '_all',
+      render: (/** @type {string} */ data, /** @type {string} */ use) =>
+        use === 'filter' ? asTyped(data) : data,
+    },
+  ],
   layout: { bottomEnd: 'paging', bottomStart: 'info', topEnd: 'search', topStart: 'pageLength' },
   lengthMenu: [10, 25, 100, 1000],
   order: [],

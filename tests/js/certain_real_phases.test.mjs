@@ -1,4 +1,5 @@
-// Places on the imaginary axis where N/D is real: by a polynomial whose roots leave no doubt, and by intervals.
+// Places on the imaginary axis where N/D is real: by a polynomial whose roots leave no doubt, and by
+// intervals.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { maths } from './maths.mjs';

@@ -6,7 +6,7 @@ const { nextPlace, roundPlaces } = await import(
   new URL('../../src/rlswaim/explorers/js/page/slider_keys.js', import.meta.url).href
 );
 
-/** As Python makes them: 280 steps over seven decades on each side of 0, with three digits. */
+/** 280 steps over seven decades on each side of 0, with three digits. */
 const sizes = Array.from({ length: 281 }, (_, k) => Number((1e-4 * 10 ** (k / 40)).toPrecision(3)));
 const wide = [...sizes.map((v) => -v).reverse(), 0, 0.618, ...sizes].sort((a, b) => a - b);
 const feet = Array.from({ length: 421 }, (_, k) => k);

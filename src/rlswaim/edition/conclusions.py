@@ -242,25 +242,32 @@ def damped(booster: Booster, kK_z: float, factor: float = 5.0) -> Damped:
     return Damped(kK_z, zeta, *(float(rms[name]) for name in names))
 
 
-def with_longitudinal(eqs: PerturbationEquations, alpha_0: float) -> float:
+def with_longitudinal(eqs: PerturbationEquations, alpha_0: float, gamma_0: float) -> float:
     """Return the unstable root (1/s) of the vehicle with the equation of motion along x [recommendation 4].
 
     Parameters
     ----------
     eqs : PerturbationEquations
-    alpha_0 : float
-        Steady angle of attack (rad); 0 on the report's ballistic path.
+    alpha_0, gamma_0 : float
+        Steady angle of attack and angle of the path (rad); alpha_0 is 0 on the report's ballistic path.
 
     Notes
     -----
-    Ours, not the report's.  In body axes, u the change of speed along x, drag left out:
-    u' = -U alpha_0 theta' - g theta; and u changes each aerodynamic force of the steady
-    alpha_0 by 2 u/U of itself, which is the column of alpha times 2 alpha_0 u/U.
+    Ours, not the report's.  Newton's law along the vehicle's axis x, which lies alpha_0 + gamma_0 + theta
+    above the horizontal, for the speeds U + u along it and w = U (alpha_0 + alpha) across it::
+
+        u' = (thrust - drag)/M - theta' w - g sin(alpha_0 + gamma_0 + theta)
+
+    The thrust lies along x, and the drag's change is left out; the small changes that remain are
+    u' = -U alpha_0 theta' - g cos(alpha_0 + gamma_0) theta.  And u changes each aerodynamic force of
+    the steady alpha_0 by 2 u/U of itself, which is the column of alpha times 2 alpha_0 u/U.  The axes do
+    not turn before the disturbance, as in Eq. 29; `rlswaim.practice.ladder.vehicle_on` lets the path curve.
     """
     A = np.pad(eqs.state_space().A, ((0, 1), (0, 1)))
     alpha_0 = checks.real("alpha_0", alpha_0, "with_longitudinal")
+    gamma_0 = checks.real("gamma_0", gamma_0, "with_longitudinal")
     A[:7, 7] = 2 * alpha_0 / eqs.U * A[:7, 0]
-    A[7, 1], A[7, 2] = -constants("vehicle")["g"], -eqs.U * alpha_0
+    A[7, 1], A[7, 2] = -constants("vehicle")["g"] * np.cos(alpha_0 + gamma_0), -eqs.U * alpha_0
     return float(np.linalg.eigvals(A).real.max())
 
 

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from scipy.optimize import differential_evolution
 
 from rlswaim.edition.slow_roots import abscissas, slow_roots
+from rlswaim.edition.spreads import place as _place
+from rlswaim.edition.spreads import spread as _spread
 from rlswaim.loops.closed_loops import LOOPS, polynomial, state_space
 from rlswaim.loops.control_systems import ControlledVehicle
 from rlswaim.rootlocus.polynomials import roots
@@ -36,8 +38,9 @@ ROUNDS, PEOPLE = 1000, 15
 class Found(NamedTuple):
     """The best closed loop of a search: abscissa (1/s) by its objective, and how it was found.
 
-    ``evolution`` and ``adaptation`` are the least that each of two independent ways found by itself;
-    nan for a search that went one way.
+    ``evolution`` and ``adaptation`` are the least that each of two independent ways found by itself,
+    ``descents`` and ``worst`` what the best and the least good of the runs by descents found; nan for a
+    way that was not gone.
     """
 
     system: str
@@ -48,30 +51,14 @@ class Found(NamedTuple):
     evaluations: int
     evolution: float = float("nan")
     adaptation: float = float("nan")
+    descents: float = float("nan")
+    worst: float = float("nan")
 
 
 def bounds(system: str) -> dict[str, dict[str, str]]:
     """Return the rows of ``search_bounds`` of a ``system``, by parameter."""
     checks.one_of("system", system, tuple(LOOPS), "search")
     return {row["parameter"]: row for row in read_table("search_bounds") if row["system"] == system}
-
-
-def _spread(row: Mapping[str, str], u: NDArray) -> NDArray:
-    """Return the values of one parameter at ``u`` in 0..1, spread evenly, in the logarithm or in arcsinh.
-
-    Parameters
-    ----------
-    row : mapping of str to str
-        The parameter's row of ``data/search_bounds.csv``.
-    u : ndarray
-        Places between the lower bound, 0, and the upper one, 1.
-    """
-    low, high, spread = float(row["low"]), float(row["high"]), row["spread"]
-    if spread == "even":
-        return low + (high - low) * u
-    if spread == "log":
-        return low * (high / low) ** u
-    return float(spread) * np.sinh((2 * u - 1) * np.arcsinh(high / float(spread)))
 
 
 def _objective(loops: ControlledVehicle, gains: Mapping[str, NDArray], objective: str) -> NDArray:
@@ -90,16 +77,6 @@ def _objective(loops: ControlledVehicle, gains: Mapping[str, NDArray], objective
     ndarray, shape (S,)
     """
     return abscissas(np.linalg.eigvals(loops.matrices(**gains)), objective.endswith("apart"))
-
-
-def _place(row: Mapping[str, str], value: float) -> float:
-    """Return where in 0..1 `_spread` has a value of one parameter."""
-    low, high, spread = float(row["low"]), float(row["high"]), row["spread"]
-    if spread == "even":
-        return (value - low) / (high - low)
-    if spread == "log":
-        return float(np.log(value / low) / np.log(high / low))
-    return float((np.arcsinh(value / float(spread)) / np.arcsinh(high / float(spread)) + 1) / 2)
 
 
 class Problem:
@@ -137,9 +114,16 @@ class Problem:
         """Return the place in the cube of given ``gains`` and stations."""
         return np.array([_place(self.rows[name], gains[name]) for name in self.sought])
 
-    def rounded(self, u: NDArray) -> dict[str, float]:
-        """Return gains and stations at one place ``u``, shape (n,), to nine digits."""
-        return {name: float(f"{x[0]:.9g}") for name, x in self.gains(u[:, None]).items()}
+    def rounded(self, u: NDArray, digits: int = 9) -> dict[str, float]:
+        """Return gains and stations at one place.
+
+        Parameters
+        ----------
+        u : ndarray, shape (n,)
+        digits : int
+            Significant ones that are kept.
+        """
+        return {name: float(f"{x[0]:.{digits}g}") for name, x in self.gains(u[:, None]).items()}
 
 
 def search(
@@ -182,10 +166,8 @@ def search(
     return Found(system, objective, winner, float(value[0]), seed, count)
 
 
-def evolved(
-    problem: Problem, rounds: int, people: int, seed: int, start: NDArray | None = None
-) -> tuple[dict[str, float], int]:
-    """Return the best gains of a differential evolution, rounded to nine digits, and how many loops it tried.
+def evolution(problem: Problem, rounds: int, people: int, seed: int, start: NDArray | None = None) -> NDArray:
+    """Return the people of a differential evolution at its end, the best one first; shape (n, S).
 
     Parameters
     ----------
@@ -208,7 +190,21 @@ def evolved(
         updating="deferred",
         x0=start,
     )
-    return problem.rounded(best.x), (rounds + 1) * people * len(problem.sought)
+    return np.column_stack([best.x, best.population.T])
+
+
+def evolved(
+    problem: Problem, rounds: int, people: int, seed: int, start: NDArray | None = None
+) -> tuple[dict[str, float], int]:
+    """Return the best gains of an `evolution`, rounded to nine digits, and how many loops it tried.
+
+    Parameters
+    ----------
+    problem, rounds, people, seed, start
+        As those of `evolution`.
+    """
+    best = evolution(problem, rounds, people, seed, start)[:, 0]
+    return problem.rounded(best), (rounds + 1) * people * len(problem.sought)
 
 
 def winners() -> tuple[Found, ...]:
@@ -224,7 +220,7 @@ def winners() -> tuple[Found, ...]:
             int(g["seed"]),
             int(g["evaluations"]),
             g.get("evolution", np.nan),
-            g.get("adaptation", np.nan),
+            *(g.get(way, np.nan) for way in ("adaptation", "descents", "worst")),
         )
         for key, g in table.items()
     )
@@ -254,8 +250,8 @@ def beside_bounds(eqs: PerturbationEquations, system: str) -> dict[str, dict[str
     Returns
     -------
     dict of str to dict of str to str
-        Column, row, text.  The rows are the gains and stations; the objective's abscissa (1/s), from the
-        wired state space and from determinants; what each of two ways found by itself; the slow root (1/s)
+        Column, row, text.  The rows are the gains and stations; the objective's abscissa (1/s), stored
+        and from determinants in floats; what each of two ways found by itself; the slow root (1/s)
         and its time constant (s).
     """
     rows = bounds(system)
@@ -278,19 +274,23 @@ def _between(row: Mapping[str, str]) -> str:
     return f"{row['low']} to {row['high']}" if row["low"] != row["high"] else f"fixed: {row['low']}"
 
 
+def _by_descents(found: Found) -> dict[str, str]:
+    """Return what the runs by descents found, where there are some."""
+    told = {"best run of descents found (1/s)": found.descents, "least good run found (1/s)": found.worst}
+    return {name: f"{value:.4f}" for name, value in told.items() if not np.isnan(value)}
+
+
 def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
     poles = state_space(eqs, found.system, found.gains).poles()
-    ways, apart = (
-        (poles, roots(polynomial(eqs, found.system, found.gains))),
-        found.objective.endswith("apart"),
-    )
-    first, second = (f"{abscissas(p[None], apart)[0]:.4f}" for p in ways)
+    others = roots(polynomial(eqs, found.system, found.gains))
+    second = abscissas(others[None], found.objective.endswith("apart"))[0]
     slow = slow_roots(poles[None])[0]
     return {
-        "largest real part (1/s)": first,
-        "from determinants (1/s)": second,
+        "largest real part (1/s)": f"{found.abscissa:.4f}",
+        "from determinants (1/s)": f"{second:.4f}",
         "evolution alone found (1/s)": f"{found.evolution:.4f}",
         "adaptation alone found (1/s)": f"{found.adaptation:.4f}",
+        **_by_descents(found),
         "slow real root (1/s)": "none" if np.isnan(slow) else f"{slow:+.2g}",
         "its time constant (s)": f"{1 / abs(slow):.0f}" if abs(slow) > 0 else "",
     }

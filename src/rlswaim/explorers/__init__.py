@@ -11,6 +11,8 @@ from rlswaim.explorers.control_systems import (
 )
 from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
 from rlswaim.explorers.greensite import greensite_explorer
+from rlswaim.explorers.moving_loop import MovingLoop, moving_loop
+from rlswaim.explorers.own_loop import OwnLoop, explore
 from rlswaim.explorers.peak_bound import peak_bound_explorer
 from rlswaim.explorers.presets import COMPARED, designs
 from rlswaim.explorers.station_map import station_map_explorer
@@ -21,14 +23,18 @@ __all__ = [
     "COMPARED",
     "Comparison",
     "Explorer",
+    "MovingLoop",
     "MultiAffine",
+    "OwnLoop",
     "ascent_explorer",
     "bent_vehicle_explorer",
     "comparison_explorer",
     "coupled_vehicle_explorer",
     "designs",
     "dual_actuation_explorer",
+    "explore",
     "greensite_explorer",
+    "moving_loop",
     "multiaffine_forms",
     "peak_bound_explorer",
     "rate_attitude_explorer",

@@ -3,10 +3,13 @@
 from collections.abc import Sequence
 from functools import cache, partial
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rlswaim.explorers.bench import burn_bench
+from rlswaim.explorers.burn_tables import END
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.still import Drawing
@@ -67,6 +70,12 @@ def parameters() -> tuple[Parameter, ...]:
         slider("upright", "Upright", "time until which the path is vertical (s)", UPRIGHT),
         slider("level", "Level at", "time at which the path is level (s)", LEVEL),
     )
+
+
+def time_of_flight() -> Parameter:
+    """Return the slider of the time (s) that the bench has."""
+    check = partial(whole_seconds, low=0, high=END)
+    return Parameter("t", r"\(t\)", "s", "time of flight (s)", tuple(range(END + 1)), check)
 
 
 @cache
@@ -169,7 +178,7 @@ class AscentView(LiveView):
             ("Steep", "the steepest program of this view", {"upright": 18, "level": 180}),
             ("Flat", "the flattest program of this view", {"upright": 0, "level": 100}),
         ]
-        payload = {
+        payload: dict[str, Any] = {
             "nodes": {"upright": UPRIGHT, "level": LEVEL},
             "times": TIMES.tolist(),
             "curves": {name: np.round(tables[name], digits).tolist() for name, digits in CURVES.items()},
@@ -179,6 +188,7 @@ class AscentView(LiveView):
             "colors": {n: COLORS[n] for n in ("rigid", "corrected", "neutral", "mode 2")},
             "presets": [{"name": n, "label": label, "values": v} for n, label, v in presets],
         }
+        payload["bench"] = burn_bench(payload, start, time_of_flight())
         super().__init__(parameters(), payload, {**start, **values})
 
     def drawings(self) -> list[Drawing]:

@@ -6,6 +6,7 @@ from math import degrees, radians
 
 import numpy as np
 
+from rlswaim.explorers.bench import own_bench
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import FEET, Parameter, Value
 from rlswaim.explorers.still import Drawing
@@ -115,6 +116,7 @@ class BentVehicle(LiveView):
             "weight": {"force": W, "gamma_0": degrees(gamma_0(booster.flight.t))},
             "colors": {n: COLORS[n] for n in ("rigid", "mode 1", "mode 2", "actuator", "neutral")},
             "presets": [{"name": n, "label": label, "values": v} for n, label, v in presets],
+            "bench": own_bench(booster),
         }
         super().__init__(parameters(), payload, {**FIGURE_2, "delta": 6.0, **values})
 

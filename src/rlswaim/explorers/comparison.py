@@ -18,6 +18,13 @@ from rlswaim.source import checks
 from rlswaim.vehicle.equations import PerturbationEquations
 
 SIDES = ("left", "right")
+SHARED = ("dispersed", "vehicle", "poles")
+"""What the payloads of all control systems have alike."""
+
+
+def _without_shared(sent: dict[str, Any]) -> dict[str, Any]:
+    """Return a payload without what is sent once."""
+    return {name: value for name, value in sent.items() if name not in SHARED}
 
 
 class Comparison(ScriptedView):
@@ -35,7 +42,9 @@ class Comparison(ScriptedView):
     def __init__(self, eqs: PerturbationEquations) -> None:
         checks.instance("eqs", eqs, PerturbationEquations, "comparison")
         self._eqs = eqs
-        systems = {section: payload(view, eqs, view.system.forms(eqs)) for section, view in VIEWS.items()}
+        systems = {
+            section: payload(view, eqs, view.system.polynomial(eqs)) for section, view in VIEWS.items()
+        }
         chosen = [(section, at) for section, sent in systems.items() for at in range(len(sent["presets"]))]
         self._presets: list[tuple[str, dict[str, Any]]] = [
             (section, systems[section]["presets"][at]) for section, at in chosen
@@ -43,9 +52,11 @@ class Comparison(ScriptedView):
         self.designs = [
             f"{section}: {preset['name']} ({preset['note']})" for section, preset in self._presets
         ]
+        shared = {name: systems["IV"][name] for name in SHARED}
         sent = {
             "view": "comparison",
-            "systems": systems,
+            "shared": shared,
+            "systems": {section: _without_shared(sent) for section, sent in systems.items()},
             "designs": [{"system": s, "preset": at} for s, at in chosen],
         }
         left, right = (self._place("IV", name) for name in COMPARED["IV"])

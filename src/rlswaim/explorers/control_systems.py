@@ -1,6 +1,9 @@
 """The live views of Sections IV to VII: what the browser gets of each, and the calls that show them."""
 
+from functools import partial
 from typing import Any
+
+import control
 
 from rlswaim.explorers.parameter import FEET, Value
 from rlswaim.explorers.presets import presets
@@ -10,12 +13,19 @@ from rlswaim.explorers.system_views import (
     SINGLE_SENSOR,
     TWO_SENSOR,
     View,
-    values_at_feet,
+)
+from rlswaim.explorers.vehicle_sliders import (
+    data_parameters,
+    data_values,
+    dispersed_data,
+    nodes,
+    plant,
+    vehicle_at,
 )
 from rlswaim.explorers.workbench import Explorer
 from rlswaim.figures.style import COLORS
 from rlswaim.loops.control_systems import AT_GYRO
-from rlswaim.loops.multiaffine import Forms
+from rlswaim.loops.multiaffine import MultiAffine
 from rlswaim.loops.named_branches import named_poles
 from rlswaim.source import checks
 from rlswaim.vehicle.booster import swaim_booster
@@ -32,28 +42,44 @@ BRANCHES = {
 UNITS = {"alpha": "rad", "theta": "rad", "q1": "ft", "q2": "ft", "delta": "rad", "delta_r": "lb"}
 
 
-def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, Any]:
+def payload(view: View, eqs: PerturbationEquations, polynomial: MultiAffine) -> dict[str, Any]:
     """Return what the browser gets of a control system; the sliders' values are traits of the widget.
+
+    The numerators are not in it: the browser finds them from the matrices in ``plant``.
 
     Parameters
     ----------
     view : View
     eqs : PerturbationEquations
-    forms : Forms
+    polynomial : MultiAffine
         Of the view's system around ``eqs``.
+    """
+    parameters = (*view.parameters(eqs), *data_parameters())
+    return {
+        **loop_payload(view, eqs),
+        "parameters": [p.told for p in parameters],
+        "terms": [term._asdict() for term in polynomial.terms],
+        "shapes": view.shape_values(eqs),
+        "vehicle": _vehicle(eqs),
+        "plant": plant(view.system, eqs),
+        "dispersed": dispersed_data(),
+    }
+
+
+def loop_payload(view: View, eqs: PerturbationEquations) -> dict[str, Any]:
+    """Return what the browser gets of a control system beside the vehicle in it.
+
+    Parameters
+    ----------
+    view : View
+    eqs : PerturbationEquations
+        Their poles have names, and their designs are the presets.
     """
     jet = {"valve": COLORS["jet"]} if "K_r" in view.system.actuators else {}
     zeros = {"zero": COLORS["neutral"]} if any(locus["of"] == "zeros" for locus in view.loci) else {}
     return {
         "system": view.name,
-        "parameters": [{"name": p.name, "grid": p.grid} for p in view.parameters(eqs)],
-        "terms": [term._asdict() for term in forms.polynomial.terms],
-        "numerators": {
-            i: {o: [term._asdict() for term in form.terms] for o, form in by_output.items()}
-            for i, by_output in forms.numerators.items()
-        },
         "units": {name: UNITS[name] for name in view.system.outputs},
-        "shapes": view.shape_values(eqs),
         "choice": {"name": "feedback", "zero": {"total": [], "rigid body": list(AT_GYRO)}}
         if view.choice
         else None,
@@ -70,7 +96,6 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
             },
         },
         "maps": list(view.system.stations),
-        "vehicle": _vehicle(eqs),
         "presets": presets(view.section, eqs, view.loci),
         "python": {
             "function": view.system.function.__name__,
@@ -84,12 +109,15 @@ def payload(view: View, eqs: PerturbationEquations, forms: Forms) -> dict[str, A
 def _vehicle(eqs: PerturbationEquations) -> dict[str, Any]:
     """Return what a picture of the bent vehicle needs: stations (ft), speed (ft/s) and mode shapes."""
     return {
-        "length": LENGTH,
-        "thrust": swaim_booster().thrust_station,
-        "l_CG": eqs.l_CG,
-        "U": eqs.U,
-        **{f"phi_{i + 1}": values_at_feet(eqs, "deflection", i) for i in range(2)},
+        **vehicle_scales(eqs),
+        **{f"phi_{i + 1}": nodes(mode) for i, mode in enumerate(eqs.modes)},
     }
+
+
+def vehicle_scales(eqs: PerturbationEquations) -> dict[str, float]:
+    """Return the vehicle's length, the places of thrust and center of gravity (ft), and its speed (ft/s)."""
+    thrust = swaim_booster().thrust_station
+    return {"length": LENGTH, "thrust": thrust, "l_CG": eqs.l_CG, "U": eqs.U}
 
 
 def _source(eqs: PerturbationEquations) -> str:
@@ -99,8 +127,13 @@ def _source(eqs: PerturbationEquations) -> str:
     return "rl.perturbation_equations(rl.swaim_booster())" if eqs.source == swaim_booster().name else "eqs"
 
 
+def _start(sent: dict[str, Any]) -> dict[str, Any]:
+    """Return the preset that a view opens with: the first that closes the attitude loop."""
+    return next(preset for preset in sent["presets"] if preset["values"]["K_A"])
+
+
 def explorer(view: View, eqs: PerturbationEquations, **values: Value) -> Explorer:
-    """Return the live view of a control system; values not given are those of its first preset.
+    """Return the live view of a control system; values not given are those of its first closed attitude loop.
 
     Parameters
     ----------
@@ -114,14 +147,20 @@ def explorer(view: View, eqs: PerturbationEquations, **values: Value) -> Explore
     Explorer
     """
     checks.instance("eqs", eqs, PerturbationEquations, f"{view.name} explorer")
-    sent = payload(view, eqs, view.system.forms(eqs))
+    sent = payload(view, eqs, view.system.polynomial(eqs))
     return Explorer(
         view.name,
-        view.parameters(eqs),
+        (*view.parameters(eqs), *data_parameters()),
         sent,
-        lambda **under: view.closed_loop(eqs, **under),
-        {**sent["presets"][0]["values"], **values},
+        partial(_closed_loop, view, eqs),
+        {**_start(sent)["values"], **data_values(eqs), **values},
     )
+
+
+def _closed_loop(view: View, eqs: PerturbationEquations, **values: Any) -> control.StateSpace:
+    """Return the closed loop at all of a view's sliders, the vehicle's among them."""
+    vehicle = vehicle_at(eqs, values)
+    return view.closed_loop(vehicle, **values)
 
 
 def rate_attitude_explorer(eqs: PerturbationEquations, **values: Value) -> Explorer:
@@ -161,7 +200,7 @@ def single_sensor_explorer(eqs: PerturbationEquations, **values: Value) -> Explo
     ----------
     eqs : PerturbationEquations
     **values : float
-        K_A, K_C, K_R, K_z (rad s/ft) and sensor (ft, whole); what is not given is that of Figure 15.
+        K_A, K_C, K_R, K_z (rad s/ft) and sensor (ft, whole); what is not given is that of Figure 16.
 
     Returns
     -------
@@ -179,7 +218,7 @@ def two_sensor_explorer(eqs: PerturbationEquations, **values: Value) -> Explorer
     eqs : PerturbationEquations
     **values : float
         K_A, K_C, K_R, K_za, K_zb (rad s/ft), sensor_a and sensor_b (ft, whole); what is not given
-        is that of Figure 19.
+        is that of the book's search, as the report closes no attitude loop here.
 
     Returns
     -------
@@ -197,7 +236,7 @@ def dual_actuation_explorer(eqs: PerturbationEquations, **values: Value) -> Expl
     eqs : PerturbationEquations
     **values : float
         K_A, K_C, K_R, kK_z (lb s/ft), K_r, b (1/s), sensor and jet (ft, whole); what is not given
-        is that of Figure 24.
+        is that of Figure 25.
 
     Returns
     -------

@@ -5,25 +5,23 @@ coefficient a sum of products of the parameters and of the mode shapes at both
 surfaces.  Python sends both tables, the browser multiplies out.
 """
 
-from collections.abc import Sequence
-from dataclasses import replace
-from functools import lru_cache, partial
+from functools import partial
 
 import control
 import numpy as np
-from numpy.typing import ArrayLike
 
+from rlswaim.explorers.bench import coupled_bench
 from rlswaim.explorers.coupling_tables import BLOCKS, coupled_products, determinant_table
 from rlswaim.explorers.live_view import LiveView
-from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
+from rlswaim.explorers.parameter import FEET, Value
 from rlswaim.explorers.still import Drawing
+from rlswaim.explorers.vehicle_parameters import own_values, parameters
 from rlswaim.figures.loci import draw_pole_paths
 from rlswaim.figures.style import COLORS
 from rlswaim.rootlocus.locus import parameter_locus
-from rlswaim.source import checks
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import perturbation_equations
-from rlswaim.vehicle.modes import BendingMode
+from rlswaim.vehicle.other_data import with_data
 
 COLORS_OF = {"attitude": "neutral", "short period": "rigid", "mode 1": "mode 1", "mode 2": "mode 2"}
 
@@ -44,72 +42,8 @@ def vehicle(
     -------
     control.StateSpace
     """
-    modes = tuple(_tuned(m, omega) for m, omega in zip(booster.modes, (omega_1, omega_2), strict=True))
-    moved = tuple(
-        replace(s, C_Nalpha=surfaces[f"C_{s.name}"], station=surfaces[f"l_{s.name}"])
-        for s in booster.surfaces
-    )
-    flight = replace(booster.flight, q_D=q_D)
-    return perturbation_equations(replace(booster, modes=modes, surfaces=moved, flight=flight)).state_space()
-
-
-@lru_cache(maxsize=512)
-def _tuned(mode: BendingMode, omega: float) -> BendingMode:
-    """Return the mode at another frequency (rad/s); kept, since its curve is costly."""
-    return replace(mode, omega=omega)
-
-
-def own_values(booster: Booster) -> dict[str, Value]:
-    """Return the vehicle's own values of the sliders."""
-    values: dict[str, Value] = {f"omega_{i}": m.omega for i, m in enumerate(booster.modes, start=1)}
-    values["q_D"] = booster.flight.q_D
-    for s in booster.surfaces:
-        values |= {f"C_{s.name}": s.C_Nalpha, f"l_{s.name}": int(s.station)}
-    return values
-
-
-def parameters(booster: Booster) -> tuple[Parameter, ...]:
-    """Return the sliders, and the choice of what runs along the paths."""
-    own = own_values(booster)
-
-    def grid(name: str, places: ArrayLike) -> tuple[float, ...]:
-        return tuple(np.union1d([float(f"{place:.3g}") for place in np.ravel(places)], [own[name]]).tolist())
-
-    found = [
-        Parameter(
-            f"omega_{i}",
-            rf"\(\omega_{i}\)",
-            "rad/s",
-            f"omega_{i}, frequency of mode {i} in still air (rad/s)",
-            grid(f"omega_{i}", np.geomspace(0.3, 30, 121)),
-            checks.positive,
-        )
-        for i in (1, 2)
-    ]
-    found.append(
-        Parameter(
-            "q_D",
-            r"\(q_D\)",
-            "lb/ft²",
-            "q_D, dynamic pressure (lb/ft²)",
-            grid("q_D", np.arange(0, 2001, 20)),
-            checks.not_negative,
-        )
-    )
-    for s in booster.surfaces:
-        C, meaning = f"C_{s.name}", f"slope of the normal force of the {s.name} (1/rad)"
-        places = grid(C, np.linspace(0, 3 * s.C_Nalpha, 121))
-        found.append(Parameter(C, rf"\(C_{{N\alpha {s.name[0]}}}\)", "", meaning, places))
-    for s in booster.surfaces:
-        where = f"station of the {s.name} (ft)"
-        found.append(Parameter(f"l_{s.name}", rf"\(l_{s.name[0]}\)", "ft", where, FEET, whole_station))
-    known = ("coupling", *own)
-    check = partial(_one_of, known=known)
-    return (*found, Parameter("running", "Paths for", "", "what runs along the paths", known, check))
-
-
-def _one_of(name: str, value: object, where: str, known: Sequence[str]) -> str:
-    return checks.one_of(name, value, known, where)
+    data = {"omega_1": omega_1, "omega_2": omega_2, "q_D": q_D, **surfaces}
+    return perturbation_equations(with_data(booster, **data)).state_space()
 
 
 def cure_presets(booster: Booster) -> list[dict]:
@@ -156,6 +90,7 @@ class CoupledVehicle(LiveView):
             "blocks": tables,
             "colors": {name: COLORS[color] for name, color in COLORS_OF.items()},
             "presets": cure_presets(booster),
+            "bench": coupled_bench(booster),
         }
         super().__init__(
             parameters(booster), payload, {**own_values(booster), "running": "coupling", **values}

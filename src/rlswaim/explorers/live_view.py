@@ -36,6 +36,15 @@ class ScriptedView(anywidget.AnyWidget):
         return {**bundle, "image/png": still(*self.drawings()), "text/plain": repr(self)}
 
 
+def _sliders(controls: Sequence[widgets.Widget]) -> list[widgets.Widget]:
+    """Return the box that holds all controls, none without them; the style sheet knows it by its class."""
+    if not controls:
+        return []
+    box = widgets.VBox(controls, layout={"width": "100%"})
+    box.add_class("rlswaim-sliders")
+    return [box]
+
+
 class LiveView(ScriptedView):
     """A view under sliders; it displays itself with them, and each parameter is an attribute.
 
@@ -76,14 +85,11 @@ class LiveView(ScriptedView):
         for p in parameters:
             place = traitlets.Int(p.nearest(start[p.name])).tag(sync=True)
             self.add_traits(**{p.name: Checked(p, start[p.name]).tag(sync=True), f"{p.name}_at": place})
-        known_to_script = [
-            {"name": p.name, "grid": p.grid, "unit": p.unit, "meaning": p.meaning} for p in parameters
-        ]
         own = [p for p in parameters if beside is None or not beside.has_trait(p.name)]
         given = {
             "view": self.view,
             "system": self.system,
-            "parameters": known_to_script,
+            "parameters": [p.told for p in parameters],
             "own": [p.name for p in own],
         }
         super().__init__(payload={**given, **payload, "initial": start})
@@ -91,13 +97,16 @@ class LiveView(ScriptedView):
             self.observe(lambda change, p=p: self.set_trait(f"{p.name}_at", p.nearest(change["new"])), p.name)
             if p not in own:
                 widgets.jslink((beside, p.name), (self, p.name))
-        self.panel = widgets.VBox([*(p.controls(self) for p in own), self], layout={"width": "100%"})
+        controls = _sliders([p.controls(self) for p in own if not p.folded])
+        self.panel = widgets.VBox([*controls, self], layout={"width": "100%"})
 
     def values(self) -> dict[str, Value]:
         """Return the parameters by name."""
         return {p.name: getattr(self, p.name) for p in self.parameters}
 
     def __repr__(self) -> str:
-        """Return view and values in one line."""
-        shown = ", ".join(f"{name} = {value}" for name, value in self.values().items())
+        """Return view and values in one line; folded ones where they are not at their start."""
+        start, values = self.payload["initial"], self.values()
+        told = [p.name for p in self.parameters if not p.folded or values[p.name] != start[p.name]]
+        shown = ", ".join(f"{name} = {values[name]}" for name in told)
         return f"{self.system} explorer: {shown}"

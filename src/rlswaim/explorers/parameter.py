@@ -62,6 +62,8 @@ class Parameter:
         The slider's places, in order; texts make it a choice.
     check : callable
         Takes name, value and place; returns the value or raises.
+    folded : bool
+        Whether the view itself makes the slider, folded away, and not the widget beside it.
     """
 
     name: str
@@ -70,18 +72,24 @@ class Parameter:
     meaning: str
     grid: tuple[Value, ...]
     check: Callable[[str, object, str], Value] = checks.real
+    folded: bool = False
 
     @property
     def description(self) -> str:
         """Label and unit."""
         return f"{self.label} ({self.unit})" if self.unit else self.label
 
+    @property
+    def told(self) -> dict[str, Any]:
+        """What the script knows of the parameter."""
+        return {"name": self.name, "grid": self.grid, "unit": self.unit, "meaning": self.meaning}
+
     def nearest(self, value: Value) -> int:
         """Return the place on the grid nearest to a value."""
         return min(range(len(self.grid)), key=lambda i: _distance(self.grid[i], value))
 
     def controls(self, view: anywidget.AnyWidget) -> widgets.Widget:
-        """Return the slider and a box for any value, or the buttons of a choice, joined to the view."""
+        """Return the slider and a box for numbers in its range, or a choice's buttons, joined to the view."""
         choice = isinstance(self.grid[0], str)
         kind = widgets.ToggleButtons if choice else widgets.SelectionSlider
         control = kind(
@@ -96,12 +104,12 @@ class Parameter:
             control.style.button_width = "auto"
             return control
         control.readout, control.layout = False, {"flex": "1 1 12rem", "width": "auto", "min_width": "0"}
-        whole = isinstance(self.grid[0], int)
+        whole, least, most = isinstance(self.grid[0], int), self.grid[0], self.grid[-1]
         box = (widgets.BoundedIntText if whole else widgets.FloatText)(
             value=getattr(view, self.name),
-            tooltip=f"{self.meaning}: any value",
-            layout={"flex": "0 0 auto", "width": "7.6rem"},
-            **({"min": self.grid[0], "max": self.grid[-1]} if whole else {}),
+            tooltip=f"{self.meaning}: {'whole numbers' if whole else 'any value'} from {least:g} to {most:g}",
+            layout={"flex": "0 0 auto", "width": "6.8rem"},
+            **({"min": least, "max": most} if whole else {}),
         )
         widgets.jslink((view, self.name), (box, "value"))
         row = {"width": "100%", "max_width": "46rem", "flex_flow": "row nowrap"}

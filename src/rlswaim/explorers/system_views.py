@@ -6,7 +6,7 @@ from typing import Any
 
 import control
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.explorers.parameter import FEET, Parameter, Value, whole_station
 from rlswaim.explorers.presets import corrected_designs, designs
@@ -92,9 +92,27 @@ MEANINGS = {
 """Symbol (TeX), unit and meaning of each number parameter."""
 
 
+FINE_FROM = {"K_A": 0.1, "K_z": 0.01, "K_za": 0.01, "K_zb": 0.01, "kK_z": 1e4}
+"""The size from which a slider's places stand close; so most of its travel is where designs lie."""
+FINE = np.hstack([np.arange(10, 20, 1), np.arange(20, 40, 2), np.arange(40, 100, 5)])
+"""The places of one decade where they stand close."""
+COARSE = np.array([10, 20, 50])
+"""The places of one decade below."""
+
+
+def _sizes(name: str, least: float, most: float) -> NDArray:
+    """Return the sizes of a slider's places: round numbers, even ones up to 1, else some in each decade."""
+    if most == 1:
+        return np.linspace(least, most, 100)
+    powers = np.arange(np.floor(np.log10(least)), np.log10(most)) - 1
+    fine_from = FINE_FROM.get(name, least)
+    decades = [(FINE if 10.0 ** (p + 1) >= 0.999 * fine_from else COARSE) * 10.0**p for p in powers]
+    return np.hstack([*decades, most])
+
+
 def _number(name: str, least: float, most: float, signed: bool, known: list[dict[str, Value]]) -> Parameter:
     """Return a number parameter: its slider runs over round numbers and the designs' own values."""
-    size = np.linspace(least, most, 100) if most == 1 else np.geomspace(least, most, 281 if signed else 121)
+    size = _sizes(name, least, most)
     places: tuple[ArrayLike, ...] = (-size, 0.0, size) if signed else (size,)
     rounded = [float(f"{place:.3g}") for place in np.hstack(places)]
     symbol, unit, meaning = MEANINGS[name]

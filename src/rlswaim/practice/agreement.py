@@ -17,12 +17,17 @@ from scipy.optimize import fsolve
 from rlswaim.practice import greensite as g
 from rlswaim.practice.gusts import one_minus_cosine, response
 from rlswaim.practice.margins import Margins, margins
+from rlswaim.source import checks
 from rlswaim.source.tables import constants, half_unit, read_table
 
 RIGID: dict[str, Any] = {"K_p": 1.78, "K_d": 0.44, "notch": False}
 WITH_NOTCH: dict[str, Any] = {"K_p": 1.73, "K_d": 0.69}
 GUST = {"amplitude": 6.4, "duration": 3.0}
 """The printed gust: m/s, s."""
+AFTER = 27.0
+"""So long after a gust the peaks are looked for (s)."""
+ROUNDING = 1e-9
+"""Real part (1/s) up to which a root counts as one at 0: without K_z the drift itself is such a root."""
 
 
 @dataclass(frozen=True)
@@ -75,13 +80,17 @@ def margins_with(**given: Any) -> dict[str, float]:
     return _named(margins(g.greensite(**given)))
 
 
-def gust_peaks(amplitude: float = GUST["amplitude"], **given: Any) -> dict[str, float]:
-    """Return the largest sizes in the printed 1-cosine gust of 3 s.
+def gust_peaks(
+    amplitude: float = GUST["amplitude"], duration: float = GUST["duration"], **given: Any
+) -> dict[str, float]:
+    """Return the largest sizes in a 1-cosine gust, by default the printed one, until 27 s after it.
 
     Parameters
     ----------
     amplitude : float
         Of the gust (m/s).
+    duration : float
+        Of the gust (s).
     **given
         As in `rlswaim.greensite`.
 
@@ -89,10 +98,20 @@ def gust_peaks(amplitude: float = GUST["amplitude"], **given: Any) -> dict[str, 
     -------
     dict of str to float
         alpha_w, theta, delta, alpha (deg) and z (m).
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite, the duration is not positive, or a root lies right of the axis.
     """
-    t = np.arange(0, 30, 0.001)
-    wind = one_minus_cosine(t, amplitude / constants("greensite")["V"], GUST["duration"])
-    found = response(g.closed_loop(**given), t, wind) | {"alpha_w": wind}
+    where = "gust_peaks"
+    checks.real("amplitude", amplitude, where)
+    t = np.arange(0, checks.positive("duration", duration, where) + AFTER, 0.001)
+    wind = one_minus_cosine(t, amplitude / constants("greensite")["V"], duration)
+    closed = g.closed_loop(**given)
+    if (root := float(closed.poles().real.max())) > ROUNDING:
+        raise ValueError(f"loop in {where}: got a root at {root:.3g} 1/s, wanted none right of the axis")
+    found = response(closed, t, wind) | {"alpha_w": wind}
     units = dict.fromkeys(("alpha_w", "theta", "delta", "alpha"), 180 / np.pi) | {"z": 1.0}
     return {name: float(np.abs(found[name]).max()) * unit for name, unit in units.items()}
 

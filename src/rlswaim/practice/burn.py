@@ -26,6 +26,7 @@ from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.practice.optimal import Wishes, lqg
 from rlswaim.source.tables import constants
 from rlswaim.vehicle.booster import Booster, FlightCondition
+from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
 from rlswaim.vehicle.modes import BendingMode
 from rlswaim.vehicle.trajectory import Trajectory, fly, level_at_burnout, swaim_ascent
 
@@ -108,6 +109,23 @@ def booster_at(t: float) -> Booster:
         flight=FlightCondition(path["q_D"], max(path["U"], 1.0), path["h"], t, gamma_0),
         name=f"Swaim's booster at {t:g} s",
     )
+
+
+def equations_at(t: float, *, U: float, q_D: float) -> PerturbationEquations:
+    """Return Eq. 29 for the vehicle of a time, in a flight of another pitch program.
+
+    Parameters
+    ----------
+    t : float
+        In s.
+    U : float
+        Speed of that flight (ft/s); one below 1 counts as 1, since Eq. 29 divides by it.
+    q_D : float
+        Its dynamic pressure (lb/ft^2).
+    """
+    booster = booster_at(t)
+    flight = replace(booster.flight, U=max(U, 1.0), q_D=q_D)
+    return perturbation_equations(replace(booster, flight=flight))
 
 
 def fixed(t: float) -> control.StateSpace:

@@ -5,11 +5,11 @@ from functools import cache
 from typing import NamedTuple
 
 import control
-import numpy as np
 import pandas as pd
 
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.practice.blocks import delay, gain, second_order
+from rlswaim.practice.complementary import complementary
 from rlswaim.practice.ladder import Rung, reads_the_whole, vehicle_on
 from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
 from rlswaim.practice.limits import Limits, limits
@@ -53,12 +53,15 @@ def angle_limits(step: Step) -> Limits:
     With filters that can be built it is the whole angle at the gyro, else the rigid body's alone.
     """
     eqs, rung = step
-    vehicle = vehicle_on(eqs, rung)
-    gyros = {constants("ladder")["gyro_station"]: 1.0} if reads_the_whole(rung) else {}
+    vehicle, station = vehicle_on(eqs, rung), constants("ladder")["gyro_station"]
+    gyros = {station: 1.0} if reads_the_whole(rung) else {}
     row = angle(eqs, gyros)
-    C = np.array([[row.get(name, 0.0) for name in vehicle.output_labels]])
-    B = vehicle.B[:, [vehicle.input_labels.index("delta")]]
-    plant = control.ss(vehicle.A, B, C, np.zeros((1, 1)))
+    read = [gain([list(row.values())], name="gyro", inputs=list(row), outputs="theta_i")]
+    if rung.blend:
+        read = complementary(eqs, rung.blend, 0.0, station)
+    plant = control.interconnect(
+        [vehicle, *read], inputs=["delta"], outputs=["theta_i"], warn_duplicate=False, check_unused=False
+    )
     return limits(control.ss(control.series(_actuation(rung), plant)))
 
 

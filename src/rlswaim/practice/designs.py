@@ -22,14 +22,12 @@ from rlswaim.practice.ladder import Rung, dual_actuation_on
 from rlswaim.practice.loads import SectionLoads, section_loads, with_moments
 from rlswaim.practice.margins import margins
 from rlswaim.practice.optimal import MIDDLE, Wishes, lqg
-from rlswaim.practice.structures import controller, instruments_of
+from rlswaim.practice.structures import NOSE, STRUCTURES
 from rlswaim.practice.synthesis import slowest
 from rlswaim.source.tables import number, read_table
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
 
-NOSE = 27.0
-"""Station of the jet and of the accelerometer of the optimal designs (ft): the first mass of Table 1."""
 BASE = {"theta": 0.02, "thetadot": 0.04, "integral": 0.05, "q1dot": 1.0, "q2dot": 1.0}
 """Sizes that count as 1 (rad, rad/s, rad s, ft/s, ft/s)."""
 WISHES = {
@@ -146,7 +144,8 @@ def designs() -> dict[str, Design]:
     two = gyros(60.0, 304.0)
     found.append(flown("LQG with recovery, thrust", lqg(booster, two, THRUST), two, None))
     for structure, gains in synthesized().items():
-        found.append(flown(structure, controller(gains), instruments_of(gains), gains["jet"]))
+        kind = STRUCTURES[structure]
+        found.append(flown(structure, kind.controller(gains), kind.instruments(gains), gains["jet"]))
     read = (*gyros(60.0), Instrument("accelerometer", NOSE))
     for name, wishes in WISHES.items():
         found.append(flown(name, lqg(booster, read, wishes, NOSE), read, NOSE))

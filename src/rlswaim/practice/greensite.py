@@ -184,6 +184,11 @@ def greensite(
         If a number is not finite, or the factor of the mode's frequency is not positive.
     TypeError
         If a number is not real, or a switch is no bool.
+
+    Notes
+    -----
+    The printed rigid case is ``bending=False, actuator=False, notch=False``.  `closed_loop` takes the same
+    arguments and has the wind as its input; `agreement.gust_peaks` puts it through a gust of any size.
     """
     plant, engine, autopilot = _parts(**locals())
     loop = control.series(engine, plant[:, 0], autopilot)

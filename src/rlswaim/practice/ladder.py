@@ -12,6 +12,8 @@ import control
 import numpy as np
 
 from rlswaim.practice.blocks import delay, first_order, gain, second_order
+from rlswaim.practice.complementary import complementary
+from rlswaim.practice.measurements import angle
 from rlswaim.source import checks
 from rlswaim.source.tables import constants
 from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
@@ -45,6 +47,9 @@ class Rung:
     """Damping ratio of a notch's poles at each mode's frequency, behind a gyro of the whole angle (1)."""
     high_pass: float = 0.0
     """Corner of a high-pass on the whole displacement, instead of its elastic part alone (rad/s)."""
+    blend: float = 0.0
+    """Corner of a complementary filter: below it the gyro's angle, above it the integral of a rate gyro's
+    reading at a station of its own (rad/s)."""
 
     def __post_init__(self) -> None:
         """Check the numbers."""
@@ -115,23 +120,22 @@ def _notches(eqs: PerturbationEquations, rung: Rung) -> list[control.StateSpace]
 
 def reads_the_whole(rung: Rung) -> bool:
     """Return whether a gyro reads the whole angle on a ``rung``, as it has no ideal filter there."""
-    return bool(rung.low_pass or rung.notch)
+    return bool(rung.low_pass or rung.notch or rung.blend)
 
 
 def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | None) -> list:
     """Return the blocks from the vehicle's states to theta_F."""
     where = constants("ladder")["gyro_station"] if station is None and reads_the_whole(rung) else station
-    row = {"theta": 1.0, "thetadot": K_R}
-    if where is not None:
-        for i, mode in enumerate(eqs.modes, start=1):
-            row |= {f"q{i}": -mode.slope(where), f"q{i}dot": -K_R * mode.slope(where)}
-    zeta = constants("ladder")["gyro_zeta"]
-    own = gain(1.0)
-    if rung.gyro:
-        own = second_order([rung.gyro**2], [1.0, 2 * zeta * rung.gyro, rung.gyro**2])
+    row = angle(eqs, {} if where is None else {where: 1.0})
+    row |= {f"{name}dot": K_R * value for name, value in row.items()}
+    read = [gain([list(row.values())], name="gyro", inputs=list(row), outputs="theta_i")]
+    if rung.blend and where is not None:
+        read = complementary(eqs, rung.blend, K_R, where)
+    zeta, w = constants("ladder")["gyro_zeta"], rung.gyro
+    own = second_order([w**2], [1.0, 2 * zeta * w, w**2]) if w else gain(1.0)
     chain = control.series(own, _low_pass(rung.low_pass), *_notches(eqs, rung))
     return [
-        gain([list(row.values())], name="gyro", inputs=list(row), outputs="theta_i"),
+        *read,
         control.ss(chain, name="gyro's filters", inputs="theta_i", outputs="theta_F"),
     ]
 

@@ -109,4 +109,5 @@ def ladder_steps() -> dict[str, Step]:
     parts = hardware()
     every = {name: value for part in parts.values() for name, value in vars(part).items() if value}
     loops = {name: Step(printed, part) for name, part in parts.items()}
+    loops["complementary filter"] = Step(printed, Rung(blend=c["blend"]))
     return vehicles | loops | {"all of the loop, gravity": Step(heavy, Rung(**every))}

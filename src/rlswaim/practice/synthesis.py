@@ -2,10 +2,11 @@
 
 ``python -m rlswaim.practice.synthesis`` prints ``data/synthesis.csv``.  The cost is the largest ratio of a
 criterion to what is wanted of it, over all criteria and all vehicles: at most 1 where everything is met.
-Several starts share nothing; the richer structure also starts at the winner of the poorer one.
+Two kinds of evolution start at random places, and the second kind once more at the best of these.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+import sys
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import control
@@ -14,17 +15,17 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from rlswaim.edition.adaptation import adapted
+from rlswaim.edition.search import evolved
 from rlswaim.practice.criteria import DEG, Wanted, wanted, with_motion
 from rlswaim.practice.dispersed import consistent_booster, dispersed, vehicles, with_gravity
 from rlswaim.practice.gusts import one_minus_cosine
-from rlswaim.practice.hardware import closed_loop, plant
+from rlswaim.practice.hardware import COMMANDS, plant
 from rlswaim.practice.margins import frequency_response
-from rlswaim.practice.structures import BLEND, ENGINE, JET, controller, instruments_of
+from rlswaim.practice.structures import STRUCTURES
 from rlswaim.source import checks
 from rlswaim.source.tables import constants, number, read_table
 from rlswaim.vehicle.equations import PerturbationEquations
 
-STRUCTURES = {"VII, realizable": ENGINE + JET, "VII, integral, blended gyros, notch": ENGINE + JET + BLEND}
 DURATIONS = (1.0, 2.5, 6.0, 15.0)
 """Of the gusts that are tried (s)."""
 STEP, HORIZON = 0.1, 25.0
@@ -33,9 +34,13 @@ FREQUENCIES = np.geomspace(0.05, 40.0, 50)
 """Frequencies at which the loops are looked at (rad/s)."""
 UNSTABLE = 1000.0
 """Cost of each vehicle from the first on that is not stable; the rest of the cost is its root (1/s)."""
-SEEDS, ROUNDS = (1964, 1965), 25
-RANDOM = 200
-"""Places among which each start is the best."""
+SEEDS = (1964, 1965)
+ROUNDS, PEOPLE = 12, 3
+"""Generations of differential evolution, and places in each for each parameter."""
+ADAPTED = 18
+"""Generations of the adaptation of a covariance matrix."""
+RANDOM = 100
+"""Places among which that one's start is the best."""
 MEAN = 0.05
 """Weight of the mean of the ratios beside the largest."""
 BANDS = 3.0
@@ -45,12 +50,12 @@ FAST = {"q_D": 1.1, "omega_1": 0.9, "omega_2": 0.9}
 
 
 class Synthesized(NamedTuple):
-    """The best gains of one structure, their cost, and what each start came to."""
+    """The best gains of one structure, their cost, and what each way came to."""
 
     structure: str
     gains: dict[str, float]
     cost: float
-    starts: tuple[float, ...]
+    ways: dict[str, float]
 
 
 def worst_cases() -> tuple[PerturbationEquations, ...]:
@@ -85,30 +90,80 @@ def responses(closed: control.StateSpace, U: float, gust: float) -> dict[str, ND
     n, count = moving.nstates, len(DURATIONS) + 1
     drive = np.column_stack([moving.B[:, 0], closed.B[:, closed.input_labels.index("theta_c")]])
     step = expm(STEP * np.block([[closed.A, drive], [np.zeros((2, n + 2))]]))[:n]
-    x, states = np.zeros((n, count)), np.zeros((t.size, n, count))
-    for k in range(t.size - 1):
-        x = step[:, :n] @ x
-        x[:, :-1] += np.outer(step[:, n], (winds[k] + winds[k + 1]) / 2)
-        x[:, -1] += step[:, n + 1]
-        states[k + 1] = x
-    values = np.einsum("on,tnc->otc", moving.C, states)
+    pushes = np.zeros((t.size - 1, n, count))
+    pushes[:, :, :-1] = step[:, n, None] * ((winds[:-1] + winds[1:]) / 2)[:, None]
+    pushes[:, :, -1] = step[:, n + 1]
+    over, states = step[:, :n], np.zeros((t.size, n, count))
+    for k, push in enumerate(pushes):
+        states[k + 1] = over @ states[k] + push
+    values = np.moveaxis(moving.C @ states, 1, 0)
     values[:, :, :-1] += moving.D[:, :1, None] * winds
     return dict(zip(moving.output_labels, values, strict=True))
 
 
-def ratios(eqs: PerturbationEquations, gains: Mapping[str, float], want: Wanted) -> dict[str, float]:
+def joined(
+    whole: control.StateSpace, made: control.StateSpace, opened: str | None = None
+) -> control.StateSpace:
+    """Return a plant under a controller without a direct way, as `hardware.closed_loop` does, in less time.
+
+    Parameters
+    ----------
+    whole, made : control.StateSpace
+        As in `hardware.closed_loop`; the controller's D is 0.
+    opened : str, optional
+        A command at which the loop is opened instead.
+
+    Returns
+    -------
+    control.StateSpace
+        As from `hardware.closed_loop`.
+
+    Raises
+    ------
+    ValueError
+        If the controller's D is not 0.
+    """
+    if np.any(made.D):
+        raise ValueError("made in joined: got a direct way from readings to commands, wanted none")
+    names, n = list(whole.output_labels), whole.nstates
+    reads = [names.index(name) for name in made.input_labels[1:]]
+    driven = [list(whole.input_labels).index(name) for name in made.output_labels]
+    B, K, F = whole.B[:, driven], made.C.copy(), made.B[:, 1:]
+    D = whole.D[:, driven]
+    at = list(made.output_labels).index(opened) if opened else 0
+    cut = K[[at]].copy()
+    if opened:
+        K[at] = 0.0
+    A = np.block([[whole.A, B @ K], [F @ whole.C[reads], made.A + F @ D[reads] @ K]])
+    if opened:
+        enters = np.vstack([B[:, [at]], F @ D[reads][:, [at]]])
+        return control.ss(A, enters, np.hstack([np.zeros((1, n)), -cut]), [[0.0]])
+    gust = whole.B[:, [0]], F @ whole.D[reads][:, [0]]
+    enters = np.block([[np.zeros((n, 1)), gust[0]], [made.B[:, [0]], gust[1]]])
+    passed = np.hstack([np.zeros((len(names), 1)), whole.D[:, [0]]])
+    return control.ss(
+        A, enters, np.hstack([whole.C, D @ K]), passed, inputs=["theta_c", "alpha_g"], outputs=names
+    )
+
+
+def ratios(
+    eqs: PerturbationEquations, structure: str, gains: Mapping[str, float], want: Wanted
+) -> dict[str, float]:
     """Return each criterion over what is wanted of it, for one vehicle; or "unstable" alone: how far (1/s).
 
     Parameters
     ----------
     eqs : PerturbationEquations
+    structure : str
+        One of `structures.STRUCTURES`.
     gains : mapping of str to float
-        As in `structures.controller`.
+        As its controller wants them, with the station of the jet.
     want : Wanted
     """
-    made = controller(gains)
-    whole = plant(eqs, instruments_of(gains), jet=gains["jet"])
-    closed = closed_loop(whole, made)
+    kind = STRUCTURES[structure]
+    made = kind.controller(gains)
+    whole = plant(eqs, kind.instruments(gains), jet=gains["jet"])
+    closed = joined(whole, made)
     poles = closed.poles()
     allowed = slowest()
     if (worst := float(poles.real.max())) > allowed:
@@ -123,8 +178,8 @@ def ratios(eqs: PerturbationEquations, gains: Mapping[str, float], want: Wanted)
         ("jet_lb", "delta_r", 1.0),
     ):
         found[name] = float(np.abs(moved[output][:, :-1]).max()) * unit / getattr(want, name)
-    for command in ("delta_c", "delta_r_c"):
-        L = frequency_response(closed_loop(whole, made, command), FREQUENCIES)[:, 0, 0]
+    for command in COMMANDS:
+        L = frequency_response(joined(whole, made, command), FREQUENCIES)[:, 0, 0]
         found[f"disk {command}"] = float(np.abs((1 - L) / (1 + L)).max()) / 2 * want.disk
     return found
 
@@ -141,106 +196,97 @@ def weighed(found: Sequence[Mapping[str, float]]) -> float:
     return float(max(values) + MEAN * np.mean(values))
 
 
-def cost_of(
-    structure: str, cases: Sequence[PerturbationEquations], want: Wanted
-) -> tuple[Callable[[NDArray], NDArray], Callable[[NDArray], dict[str, float]]]:
-    """Return the cost over the unit cube of one structure's parameters, and the gains at a place of it.
+class Sought:
+    """One structure's search over the unit cube of its parameters, as `rlswaim.edition.search.evolved` wants.
 
     Parameters
     ----------
     structure : str
-        One of `STRUCTURES`.
-    cases : tuple of PerturbationEquations
-    want : Wanted
+        One of `structures.STRUCTURES`.
     """
-    names = STRUCTURES[checks.one_of("structure", structure, tuple(STRUCTURES), "cost_of")]
-    rows = {row["parameter"]: row for row in read_table("synthesis_bounds")}
 
-    def gains(u: NDArray) -> dict[str, float]:
-        found = {}
-        for name, x in zip(names, u, strict=True):
-            low, high = number(rows[name]["low"]), number(rows[name]["high"])
-            value = low * (high / low) ** x if rows[name]["spread"] == "log" else low + (high - low) * x
-            found[name] = float(f"{value:.5g}") if rows[name]["unit"] != "ft" else float(round(value))
+    def __init__(self, structure: str) -> None:
+        checks.one_of("structure", structure, tuple(STRUCTURES), "Sought")
+        self.structure, self.cases, self.want = structure, worst_cases(), wanted()
+        self.sought = list(STRUCTURES[structure].parameters)
+        self.rows = {row["parameter"]: row for row in read_table("synthesis_bounds")}
+
+    def rounded(self, u: NDArray) -> dict[str, float]:
+        """Return the gains at one place ``u``, shape (n,): to five digits, stations to a foot."""
+        found = dict(STRUCTURES[self.structure].fixed)
+        for name, x in zip(self.sought, u, strict=True):
+            low, high = (number(self.rows[name][end]) for end in ("low", "high"))
+            value = low * (high / low) ** x if self.rows[name]["spread"] == "log" else low + (high - low) * x
+            found[name] = float(round(value)) if self.rows[name]["unit"] == "ft" else float(f"{value:.5g}")
         return found
 
-    def one(u: NDArray) -> float:
+    def place(self, gains: Mapping[str, float]) -> NDArray:
+        """Return where in the unit cube some ``gains`` are."""
+        found = []
+        for name in self.sought:
+            low, high = (number(self.rows[name][end]) for end in ("low", "high"))
+            log = self.rows[name]["spread"] == "log"
+            value = gains[name]
+            found.append(np.log(value / low) / np.log(high / low) if log else (value - low) / (high - low))
+        return np.array(found)
+
+    def of(self, gains: Mapping[str, float]) -> float:
+        """Return the cost of some ``gains``: vehicle by vehicle, up to the first that is not stable."""
         tried: list[dict[str, float]] = []
-        for left, eqs in zip(range(len(cases), 0, -1), cases, strict=True):
-            tried.append(ratios(eqs, gains(u), want))
+        for left, eqs in zip(range(len(self.cases), 0, -1), self.cases, strict=True):
+            tried.append(ratios(eqs, self.structure, gains, self.want))
             if "unstable" in tried[-1]:
                 return UNSTABLE * left + tried[-1]["unstable"]
         return weighed(tried)
 
-    return lambda places: np.array([one(u) for u in places.T]), gains
-
-
-def place_of(structure: str, gains: Mapping[str, float]) -> NDArray:
-    """Return where in the unit cube some gains are; what they lack stands where it does nothing.
-
-    Parameters
-    ----------
-    structure : str
-    gains : mapping of str to float
-    """
-    rows = {row["parameter"]: row for row in read_table("synthesis_bounds")}
-    neutral = {
-        "K_I": 0.001,
-        "blend": 1.0,
-        "second_gyro": 400.0,
-        "notch": 3.0,
-        "notch_zeros": 0.5,
-        "notch_poles": 0.5,
-    }
-    found = []
-    for name in STRUCTURES[structure]:
-        low, high = number(rows[name]["low"]), number(rows[name]["high"])
-        value = (neutral | dict(gains))[name]
-        log = rows[name]["spread"] == "log"
-        found.append(np.log(value / low) / np.log(high / low) if log else (value - low) / (high - low))
-    return np.array(found)
+    def cost(self, u: NDArray) -> NDArray:
+        """Return the costs at places ``u``, shape (n, S)."""
+        return np.array([self.of(self.rounded(place)) for place in u.T])
 
 
 def synthesize(
-    structure: str, better: Synthesized | None = None, seeds: tuple[int, ...] = SEEDS, rounds: int = ROUNDS
+    structure: str, seeds: tuple[int, ...] = SEEDS, rounds: int = ROUNDS, adapting: int = ADAPTED
 ) -> Synthesized:
-    """Return the best gains that several starts find.
+    """Return the best gains that several ways find.
 
     Parameters
     ----------
     structure : str
-    better : Synthesized, optional
-        Winner of a poorer structure, where one more start begins.
+        One of `structures.STRUCTURES`.
     seeds : tuple of int
-        One start for each.
-    rounds : int
+        Differential evolution and adaptation start once for each.
+    rounds, adapting : int
         Generations of each.
     """
-    cost, gains = cost_of(structure, worst_cases(), wanted())
-    tries = []
+    problem, found = Sought(structure), {}
     for seed in seeds:
+        gains, _ = evolved(problem, rounds, PEOPLE, seed)  # type: ignore[arg-type]
+        found[f"evolution {seed}"] = gains
         rng = np.random.default_rng(seed)
-        some = rng.random((len(STRUCTURES[structure]), RANDOM))
-        tries.append(adapted(cost, some[:, cost(some).argmin()], 0.15, rng, rounds))
-    if better is not None:
-        rng = np.random.default_rng(seeds[0])
-        tries.append(adapted(cost, place_of(structure, better.gains), 0.05, rng, rounds))
-    place, least = min(tries, key=lambda found: found[1])
-    return Synthesized(structure, gains(place), least, tuple(value for _, value in tries))
+        some = rng.random((len(problem.sought), RANDOM))
+        place, _ = adapted(problem.cost, some[:, problem.cost(some).argmin()], 0.15, rng, adapting)
+        found[f"adaptation {seed}"] = problem.rounded(place)
+    best = min(found.values(), key=problem.of)
+    rng = np.random.default_rng(seeds[0])
+    place, _ = adapted(problem.cost, problem.place(best), 0.05, rng, adapting)
+    found["adaptation from the best"] = problem.rounded(place)
+    costs = {way: problem.of(gains) for way, gains in found.items()}
+    way = min(costs, key=costs.__getitem__)
+    return Synthesized(structure, found[way], costs[way], costs)
 
 
 def main() -> None:
     """Print the table ``data/synthesis.csv``."""
     units = {row["parameter"]: row["unit"] for row in read_table("synthesis_bounds")}
     print("structure,parameter,value,unit")
-    better = None
     for structure in STRUCTURES:
-        better = synthesize(structure, better, SEEDS[:1] if better else SEEDS)
-        rows = [(name, f"{value:.5g}", units[name]) for name, value in better.gains.items()]
-        rows += [("cost", f"{better.cost:.5g}", "1")]
-        rows += [(f"start {i}", f"{value:.5g}", "1") for i, value in enumerate(better.starts, start=1)]
+        best = synthesize(structure)
+        rows = [(name, f"{value:.5g}", units[name]) for name, value in best.gains.items()]
+        rows += [("cost", f"{best.cost:.5g}", "1")]
+        rows += [(way, f"{value:.5g}", "1") for way, value in best.ways.items()]
         for row in rows:
             print(f'"{structure}"', *row, sep=",", flush=True)
+        print(best.ways, file=sys.stderr)
 
 
 if __name__ == "__main__":

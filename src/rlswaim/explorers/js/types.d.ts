@@ -144,6 +144,7 @@ export interface Parameter {
   name: string;
   grid: any[];
   unit?: string;
+  meaning?: string;
 }
 export interface Payload {
   view: string;

@@ -1,4 +1,5 @@
 // Which part of the s plane is seen: fitted to the poles, or where wheel, fingers and keys have put it.
+import { BRANCH } from '../maths/compensated.js';
 import { ladder } from './ticks.js';
 import { frameOf, viewOf } from './view.js';
 
@@ -85,8 +86,15 @@ export function insetOf(view, magnify) {
 }
 
 /**
- * The roots that a first window holds: of a system with a `reach`, those no farther from the origin.
- * @param {{ reach?: number, [name: string]: any }} system @param {Roots} roots
+ * The roots that a first window holds: of a system with a `reach`, those no farther from the origin. A
+ * compensator's own are no reason to make all others small.
+ * @param {{ reach?: number, [name: string]: any }} system
+ * @param {Roots & { branches?: string[] }} roots
  */
-export const withinReach = ({ reach = Infinity }, { x, y }) =>
-  Array.from(x, (re, i) => [re, y[i]]).filter(([re, im]) => Math.hypot(re, im) <= reach);
+export function withinReach({ reach = Infinity }, { x, y, branches = [] }) {
+  const sizes = Array.from(x, (re, i) => Math.hypot(re, y[i]));
+  const others = sizes.filter((size, i) => branches[i] !== BRANCH && size <= reach);
+  const farthest = Math.min(reach, 1.5 * Math.max(...others));
+  const isNear = (/** @type {number} */ i) => sizes[i] <= (branches[i] === BRANCH ? farthest : reach);
+  return Array.from(x, (re, i) => [re, y[i]]).filter((_, i) => isNear(i));
+}

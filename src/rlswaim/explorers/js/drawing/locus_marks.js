@@ -120,15 +120,16 @@ export const crosses = (open) => (plane) => {
 };
 
 /**
- * A small open diamond on the imaginary axis with the gain and the frequency beside it.
- * @param {Crossing} at
+ * A small open diamond on the border of stability with the gain and the frequency beside it.
+ * @param {Crossing} at @param {boolean} discrete on the unit circle, else on the imaginary axis
  * @returns {Layer}
  */
 export const crossing =
-  ({ gain, omega }) =>
+  ({ gain, omega }, discrete = false) =>
   (plane) => {
     const { g, theme, view } = plane;
-    const [x, y] = [view.X(0), view.Y(omega)];
+    const place = discrete ? [Math.cos(omega), Math.sin(omega)] : [0, omega];
+    const [x, y] = [view.X(place[0]), view.Y(place[1])];
     if (!view.holds(x, y)) return;
     g.beginPath();
     polygon(g, [x, y - 5, x + 5, y, x, y + 5, x - 5, y]);

@@ -1,7 +1,7 @@
 // Marks on a plane: lines, shapes, crosses, rings, arrows. Each is a layer.
 import { polygon } from './context.js';
 
-/** @import { Graphics } from '../types.d.ts' */
+/** @import { Graphics, Roots } from '../types.d.ts' */
 /** @import { Layer, Plane } from './plane.js' */
 
 /**
@@ -22,7 +22,27 @@ const SHAPES = {
       [0, -1.4, 1.35, -0.4, 0.85, 1.2, -0.85, 1.2, -1.35, -0.4].map((v) => v * r),
     ),
 };
-export const SIGNS = Object.keys(SHAPES);
+/** A motion has one sign in all chapters. @type {Record<string, string>} */
+const SIGNS = {
+  attitude: '■',
+  'short period': '●',
+  'mode 1': '▲',
+  'mode 2': '◆',
+  actuator: '▼',
+  valve: '◀',
+  zero: '▶',
+};
+
+/**
+ * A sign for each name: its own, or one that is left; many names share the signs.
+ * @param {string[]} names @returns {Map<string, string>}
+ */
+export function signsOf(names) {
+  const taken = names.map((name) => SIGNS[name]);
+  const left = Object.keys(SHAPES).filter((sign) => !taken.includes(sign));
+  let next = 0;
+  return new Map([...names].sort().map((name) => [name, SIGNS[name] ?? left[next++ % left.length]]));
+}
 
 /** A polyline. @param {number[][]} points @param {string} color @returns {Layer} */
 export const line =
@@ -154,3 +174,17 @@ export const arrow =
     g.fillStyle = color;
     g.fill();
   };
+
+/** Many roots as small squares, those above the axis and on it. @param {Roots[]} all @returns {Layer} */
+export const specks = (all) => (plane) => {
+  const { g, view, theme } = plane;
+  g.beginPath();
+  for (const { x, y } of all)
+    for (let i = 0; i < x.length; i++) {
+      if (y[i] < 0) continue;
+      const [px, py] = [view.X(x[i]), view.Y(y[i])];
+      if (view.holds(px, py)) g.rect(px - 1, py - 1, 2, 2);
+    }
+  g.fillStyle = theme.muted;
+  g.fill();
+};

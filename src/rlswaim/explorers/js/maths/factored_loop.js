@@ -151,7 +151,7 @@ function cancelled(parts, same) {
 
 /**
  * The gain k at which 1 + k G is zero at a point, as a complex number: real on the locus.
- * @param {FactoredLoop} loop
+ * @param {Pick<FactoredLoop, 'poles' | 'zeros' | 'gain'>} loop
  * @param {number} x
  * @param {number} y
  * @returns {Complex}

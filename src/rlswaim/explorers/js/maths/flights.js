@@ -24,7 +24,7 @@ function cellOf(nodes, value) {
 }
 
 /** @param {number[]} a @param {number[]} b @param {number} share */
-const mixed = (a, b, share) => a.map((v, k) => v + share * (b[k] - v));
+export const mixed = (a, b, share) => a.map((v, k) => v + share * (b[k] - v));
 
 /**
  * The row of a table for a pitch program.
@@ -54,4 +54,23 @@ export function flight(flown, program) {
   }
   const [time, size] = rowOf(flown.peak, flown, program);
   return { curves, there, peak: { time, size } };
+}
+
+/**
+ * One curve of the flight of a pitch program at a time.
+ * @param {Pick<Flown, 'nodes' | 'times' | 'curves'>} flown @param {string} name
+ * @param {Program & { t: number }} at
+ */
+export function curveOfFlightAt({ nodes, times, curves }, name, { t, upright, level }) {
+  const [i, p] = cellOf(nodes.upright, upright);
+  const [k, q] = cellOf(nodes.level, level);
+  const [n, share] = cellOf(times, t);
+  /** @param {number} row @param {number} column */
+  const along = (row, column) => {
+    const curve = curves[name][row][column];
+    return curve[n] + share * (curve[n + 1] - curve[n]);
+  };
+  /** @param {number} row */
+  const between = (row) => along(row, k) + q * (along(row, k + 1) - along(row, k));
+  return between(i) + p * (between(i + 1) - between(i));
 }

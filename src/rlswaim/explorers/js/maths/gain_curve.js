@@ -4,13 +4,14 @@
 /** @typedef {import('./tracing.js').Curve} Curve */
 
 /**
- * @param {{ D: ArrayLike<number>, N: ArrayLike<number> }} loop of equal length
+ * @param {{ D: ArrayLike<number>, N: ArrayLike<number>, solve?: Curve['solve'] }} loop of equal length
  * @param {number} sign of the gains
  * @param {BreakAway[]} breaks
  * @returns {Curve}
  */
-export const gainCurve = ({ D, N }, sign, breaks) => ({
+export const gainCurve = ({ D, N, solve }, sign, breaks) => ({
   breaks,
+  solve,
   fill(t, c) {
     for (let k = 0; k < c.length; k++) c[k] = D[k] + t * N[k];
   },

@@ -1,6 +1,7 @@
 // Gain and phase margins of the loop that a locus draws.
 import { roots } from './aberth.js';
 import { lastLoop, loopOf } from './open_loop.js';
+import { ownMargins } from './own_margins.js';
 import { combine, evaluate, multiply } from './polynomials.js';
 
 /** @typedef {import('./terms.js').System} System */
@@ -20,7 +21,9 @@ import { combine, evaluate, multiply } from './polynomials.js';
  */
 export function margins(system, state, what = lastLoop(system)) {
   if (!system.running[what.running].magnitudes || what.of === 'zeros') return null;
-  return marginsOf(loopOf(system, state, what), state[what.running]);
+  const loop = loopOf(system, state, what);
+  if (system.loop) return ownMargins(loop.parts, loop.crossings(), state[what.running], system.loop.dt);
+  return marginsOf(loop, state[what.running]);
 }
 
 /**

@@ -1,6 +1,8 @@
 // The closed-loop motion at one pole, along the vehicle, from the numerators that Python sends.
+import { numeratorsOf } from './changed_vehicle.js';
+import { atFeet } from './curves.js';
 import { evaluate, termsAt } from './polynomials.js';
-import { factorsOf, polynomial } from './terms.js';
+import { factorsOf, inputsOf, polynomial } from './terms.js';
 
 /** @typedef {import('./terms.js').System} System */
 /** @typedef {import('./terms.js').State} State */
@@ -32,7 +34,8 @@ function proportions(system, state, pole) {
   const factors = factorsOf(system, state);
   let best = -Infinity;
   let found = null;
-  for (const outputs of Object.values(system.numerators)) {
+  for (const input of inputsOf(system)) {
+    const outputs = numeratorsOf(system, state, input);
     /** @type {Outputs} */
     const values = {};
     let [clear, largest] = [0, 0];
@@ -56,7 +59,8 @@ function proportions(system, state, pole) {
  * @param {Complex} p
  * @returns {[name: string, value: Complex, along: (foot: number) => number][]}
  */
-function coordinatesOf({ U, l_CG, phi_1, phi_2 }, { alpha, theta, q1, q2 }, p) {
+function coordinatesOf({ U, l_CG, ...given }, { alpha, theta, q1, q2 }, p) {
+  const [phi_1, phi_2] = [given.phi_1, given.phi_2].map(atFeet);
   // z' = U (alpha - theta): a motion at s = 0 goes on sideways for good, and nothing else counts beside that.
   /** @type {Complex} */
   const sideways = [U * (alpha[0] - theta[0]), U * (alpha[1] - theta[1])];
@@ -83,7 +87,7 @@ function coordinatesOf({ U, l_CG, phi_1, phi_2 }, { alpha, theta, q1, q2 }, p) {
 export function modeShape(system, state, { re, im }) {
   const values = proportions(system, state, [re, im]);
   if (!values) return null;
-  const feet = system.vehicle.phi_1.length;
+  const feet = atFeet(system.vehicle.phi_1).length;
   const shape = { re: new Float64Array(feet), im: new Float64Array(feet) };
   const weights = coordinatesOf(system.vehicle, values, [re, im]).map(([name, value, along]) => {
     let squares = 0;

@@ -8,23 +8,25 @@ import { sharpened } from './sharpened.js';
 /** @typedef {{ x: number, y: number, count: number }} Root a root of a multiplicity */
 
 const CLUSTER = 0.1; // no roots farther apart than this part of their size are taken for one
+const KNOWN_CLUSTER = 0.01; // the same of roots that are known better than the coefficients tell
 
 /**
  * The roots of a polynomial, each once: those that the data let be one are one.
  * @param {Float64Array} c
  * @param {Coefficients} sizes
+ * @param {{ x: number[], y: number[] }} [known] the roots, where they are known better than from c
  * @returns {Root[]}
  */
-export function distinctRoots(c, sizes) {
+export function distinctRoots(c, sizes, known) {
   if (c.length < 2) return [];
-  const { x, y } = sharpened(c, roots(c));
+  const { x, y } = known ?? sharpened(c, roots(c));
   const partner = conjugates(x, y);
   const left = new Set(x.keys());
   /** @type {Root[]} */
   const found = [];
   for (const i of x.keys()) {
     if (!left.has(i) || y[i] < 0) continue;
-    const { members, x: at, y: up } = clusterOf(c, sizes, x, y, i, left);
+    const { members, x: at, y: up } = clusterOf(c, sizes, x, y, i, left, known ? KNOWN_CLUSTER : CLUSTER);
     for (const j of members) {
       left.delete(j);
       left.delete(partner[j]);
@@ -67,11 +69,12 @@ function conjugates(x, y) {
  * @param {number[]} y
  * @param {number} i
  * @param {Set<number>} left
+ * @param {number} widest of a group, as a part of its size
  */
-function clusterOf(c, sizes, x, y, i, left) {
+function clusterOf(c, sizes, x, y, i, left, widest) {
   const alone = { members: [i], x: x[i], y: y[i] };
   const off = (/** @type {number} */ j) => distance(x[j] - x[i], y[j] - y[i]);
-  const farthest = CLUSTER * distance(x[i], y[i]);
+  const farthest = widest * distance(x[i], y[i]);
   const near = [i];
   for (const j of left) if (j !== i && off(j) <= 4 * farthest) near.push(j);
   if (near.length === 1) return alone;

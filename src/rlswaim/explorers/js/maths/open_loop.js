@@ -1,7 +1,8 @@
 // One loop of a control system as D + k N in its gain k, with its poles, zeros, break-aways and crossings.
 import { breakAways } from './break_aways.js';
-import { crossings } from './crossings.js';
+import { crossings, IMAGINARY_AXIS, UNIT_CIRCLE } from './crossings.js';
 import { factored } from './factored_loop.js';
+import { aberthOfFactors } from './factored_roots.js';
 import { lazy, once } from './kept_values.js';
 import { along, factorsOf, longest, weightOf } from './terms.js';
 
@@ -86,15 +87,24 @@ export function loopOf(system, state, what) {
   const still = withoutGains(state, [...off, running, gain ?? running]);
   return once(system, `loop ${running} ${of} ${placesOf(system, still)}`, () => {
     const loop = openLoop(system, state, what);
-    const parts = factored(loop);
+    const own = system.loop;
+    const parts = factored(own?.exact ? own : loop);
     return {
       ...loop,
+      parts,
+      solve: own?.exact ? solver(parts) : undefined,
       breaks: breakAways(parts),
-      crossings: lazy(() => crossings(parts)),
+      crossings: lazy(() => crossings(parts, own?.dt ? UNIT_CIRCLE : IMAGINARY_AXIS)),
       zeros: repeated([...parts.zeros, ...parts.common]),
     };
   });
 }
+
+/**
+ * @param {import('./factored_loop.js').FactoredLoop} parts
+ * @returns {import('./tracing.js').Curve['solve']}
+ */
+const solver = (parts) => (t, x, y, close) => aberthOfFactors(parts, t, x, y, close);
 
 /** @param {Root[]} roots */
 function repeated(roots) {

@@ -1,5 +1,6 @@
 // Responses in time from partial fractions of the numerators that Python sends: nothing here knows any
 // physics.
+import { numeratorsOf } from './changed_vehicle.js';
 import { closedLoopPoles } from './closed_loop.js';
 import { EPS, evaluate, meanOf } from './polynomials.js';
 import { factorsOf, polynomial } from './terms.js';
@@ -35,7 +36,7 @@ function growth(x, y) {
  * @param {Points} poles
  * @param {number} scale
  */
-function setApart({ x, y }, scale) {
+export function setApart({ x, y }, scale) {
   const n = x.length;
   const free = new Set(Array(n).keys());
   const moved = { x: Float64Array.from(x), y: Float64Array.from(y) };
@@ -63,7 +64,7 @@ function setApart({ x, y }, scale) {
  * What one pole x + jy makes of the input at each time: the convolution of e^(pt) with it.
  * @type {Record<string, (x: number, y: number, duration: number) => Motion>}
  */
-const MOTIONS = {
+export const MOTIONS = {
   initial: (x, y) => (t) => {
     const size = Math.exp(x * t);
     return [size * Math.cos(y * t), size * Math.sin(y * t)];
@@ -107,7 +108,7 @@ const MOTIONS = {
  */
 export function responses(system, state, { input, kind, amplitude, duration }, times) {
   const factors = factorsOf(system, state);
-  const outputs = Object.entries(system.numerators[input]).map(([name, terms]) => ({
+  const outputs = Object.entries(numeratorsOf(system, state, input)).map(([name, terms]) => ({
     name,
     N: polynomial(terms, factors),
     sum: new Float64Array(times.length),

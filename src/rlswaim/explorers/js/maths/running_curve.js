@@ -1,5 +1,6 @@
 // The curve of roots that a locus draws as one parameter runs, the places where a trace stops, and what marks
 // it.
+import { polynomialAround } from './changed_vehicle.js';
 import { gainCurve, gainNodes } from './gain_curve.js';
 import { loopOf } from './open_loop.js';
 import { stationCrossings } from './station_crossings.js';
@@ -77,6 +78,7 @@ function runningGain(system, state, what) {
  */
 export function runningStation(system, state, station) {
   const { ends, step } = system.running[station];
+  const ofVehicle = system.plant?.parameters.includes(station);
   const off = leftOut(system, state);
   const free = Object.keys(system.shapes).filter((f) => system.shapes[f].at === station && !off.includes(f));
   const table = collapse(system.terms, factorsOf(system, state), free);
@@ -85,6 +87,7 @@ export function runningStation(system, state, station) {
   /** @type {Curve} */
   const curve = {
     fill(t, c) {
+      if (ofVehicle) return c.set(polynomialAround(system.base ?? system, { ...state, [station]: t }));
       for (const f of free) shape[f] = along(system.shapes[f].values, t);
       fill(table, shape, c);
     },
@@ -101,7 +104,7 @@ export function runningStation(system, state, station) {
     end: ends[1],
     back: [t, ...nodes.filter((at) => at < t).reverse()],
     forth: [t, ...nodes.filter((at) => at > t)],
-    idle: free.length === 0,
+    idle: free.length === 0 && !ofVehicle,
     zeros: { x: [], y: [] },
     breaks: [],
     crossings: (branches) => stationCrossings(curve, branches),

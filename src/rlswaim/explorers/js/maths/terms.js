@@ -6,11 +6,15 @@
 /** @typedef {{ re: number, im: number, branch: string, at?: string, each?: ArrayLike<number> }} OpenPole */
 /**
  * What Python sends of a control system (see payload in control_systems.py).
- * @typedef {{ terms: Term[], shapes: Record<string, { at: string, values: ArrayLike<number> }>,
+ * @typedef {{ terms: Term[], shapes: Record<string, import('./shapes.js').Shape>,
  *   choice?: { name: string, zero: Record<string, string[]> }, locus_gains: string[], maps: string[],
  *   parameters: { name: string }[], poles: OpenPole[],
  *   actuators: { factor: string, branch: string }[], numerators: Record<string, Record<string, Term[]>>,
- *   running: Record<string, any>, vehicle: Record<string, any> }} System
+ *   running: Record<string, any>, vehicle: Record<string, any>,
+ *   plant?: import('./vehicle_data.js').Plant, base?: any,
+ *   loop?: import('../reading/given_loop.js').GivenRoots, through?: Through }} System loop: one that a reader
+ *   gave; through: the compensator N/D in the path of the gain at its place
+ * @typedef {{ place: string, N: number[], D: number[] }} Through
  */
 
 /**
@@ -48,6 +52,10 @@ export function along(values, station) {
   const left = Math.min(Math.floor(at), last - 1);
   return values[left] + (at - left) * (values[left + 1] - values[left]);
 }
+
+/** What excites a system. @param {System} system @returns {string[]} */
+export const inputsOf = ({ plant, numerators }) =>
+  numerators ? Object.keys(numerators) : [...plant.inputs, ...plant.initial.map((name) => `${name}(0)`)];
 
 /** @param {Term[]} terms */
 export const longest = (terms) => terms.reduce((most, term) => Math.max(most, term.coefficients.length), 1);

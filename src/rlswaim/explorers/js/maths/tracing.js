@@ -11,9 +11,10 @@ import { tracePoint } from './trace_points.js';
 /** @typedef {import('./line_quality.js').View} View */
 /** @typedef {import('./break_aways.js').BreakAway} BreakAway */
 /**
- * fill puts the polynomial at t into c, middle returns the place between two t, and at the breaks roots meet.
+ * fill puts the polynomial at t into c, middle returns the place between two t, and at the breaks roots meet;
+ * solve moves points to the roots at t, where something tells these better than the polynomial does.
  * @typedef {{ fill: (t: number, c: Float64Array) => void, middle: (a: number, b: number) => number,
- *   breaks?: BreakAway[] }} Curve
+ *   breaks?: BreakAway[], solve?: (t: number, x: Numbers, y: Numbers, close: number) => void }} Curve
  */
 
 const DEEPEST = 28;
@@ -65,10 +66,12 @@ export class Tracer {
     for (let i = 0; i < n; i++) {
       x[i] = (a.x[i] + b.x[i]) / 2;
       y[i] = (a.y[i] + b.y[i]) / 2 + shifts[i] * (Math.abs(x[i]) + 1e-9);
+      x[i] += 0.3 * shifts[i] * (Math.abs(x[i]) + 1e-9); // nor on a line to both sides of which all is alike
     }
     curve.fill(t, c);
     if (!a.apart) spreadMultiple(c, a, x, y);
-    aberth(c, n, x, y, 1e-3);
+    if (curve.solve) curve.solve(t, x, y, 1e-3);
+    else aberth(c, n, x, y, 1e-3);
     settle(x, y);
     anchor(c, x, y);
     if (atNode) meet(curve.breaks ?? [], t, x, y);
@@ -167,11 +170,13 @@ export const trace = (curve, nodes, start, view) => finished(tracing(curve, node
  */
 export function pointBeside(curve, t, guess) {
   const n = guess.x.length;
-  const x = Array.from(guess.x);
-  const y = Array.from(guess.y, (v, i) => v + (i % 2 ? 1e-8 : -1.3e-8) * (1 + i / (8 * n)) * Math.abs(x[i]));
+  const shift = (/** @type {number} */ i) => (i % 2 ? 1e-8 : -1.3e-8) * (1 + i / (8 * n));
+  const x = Array.from(guess.x, (v, i) => v * (1 + 0.3 * shift(i)));
+  const y = Array.from(guess.y, (v, i) => v + shift(i) * Math.abs(x[i]));
   const c = new Float64Array(n + 1);
   curve.fill(t, c);
-  aberth(c, n, x, y);
+  if (curve.solve) curve.solve(t, x, y, 1e-6);
+  else aberth(c, n, x, y);
   flatten(x, y);
   anchor(c, x, y);
   const partner = matchRoots(guess.x, guess.y, x, y, new Int32Array(n));

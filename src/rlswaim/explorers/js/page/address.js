@@ -4,6 +4,7 @@
 /** @typedef {Record<string, unknown>} Values */
 
 const PART = /^([\w-]+(?:\.\d+)?):(.*)$/;
+const DESK = /&desk(?:&|$)/; // opens the desk of the first explorer that the address names
 
 /**
  * The parts of an address by the names of their explorers.
@@ -49,20 +50,20 @@ export function nameOf(el) {
  * @returns {Record<string, string>}
  */
 export function readAddress(name, hash = inLab() ? '' : location.hash) {
-  const own = partsOf(hash).get(name);
-  if (!own) return {};
-  return Object.fromEntries(
-    own
-      .split(',')
-      .map((pair) => pair.split('=').map(decoded))
-      .filter((pair) => pair.length === 2),
-  );
+  const parts = partsOf(hash);
+  const pairs = (parts.get(name) ?? '')
+    .split(',')
+    .map((pair) => pair.split('=').map(decoded))
+    .filter((pair) => pair.length === 2);
+  const isFirst = parts.keys().next().value === name;
+  if (isFirst && DESK.test(hash)) pairs.push(['view.desk', 'open']);
+  return Object.fromEntries(pairs);
 }
 
 /** Goes to an explorer if it is the first that the address names. @param {Element} el @param {string} name */
 export function goToAddressed(el, name) {
   if (partsOf(location.hash).keys().next().value !== name) return;
-  (el.closest('.widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
+  (el.closest('.bench, .widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
 }
 
 /**

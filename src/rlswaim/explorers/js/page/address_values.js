@@ -6,27 +6,31 @@ import { number } from './numbers.js';
 
 const LONGEST = 40; // characters of a text from elsewhere that are shown
 
-/** @param {string} name @param {string} why */
-export const leftOut = (name, why) => `${name.slice(0, LONGEST)} from the address is ${why} and is left out.`;
+/** Where a value comes from, in words. */
+const ADDRESS = 'from the address';
+
+/** @param {string} name @param {string} why @param {string} [origin] */
+export const leftOut = (name, why, origin = ADDRESS) =>
+  `${name.slice(0, LONGEST)} ${origin} is ${why} and is left out.`;
 
 /**
  * The value of a parameter: a choice, a whole number where its slider has only such, else any number between
  * the ends of its slider.
- * @param {Parameter} parameter @param {string} text
+ * @param {Parameter} parameter @param {string} text @param {string} [origin] where it comes from
  * @returns {Found}
  */
-export function valueFrom({ name, grid }, text) {
+export function valueFrom({ name, grid }, text, origin = ADDRESS) {
   if (typeof grid[0] === 'string')
-    return grid.includes(text) ? { value: text } : { note: leftOut(name, 'not one of its choices') };
+    return grid.includes(text) ? { value: text } : { note: leftOut(name, 'not one of its choices', origin) };
   const value = text.trim() === '' ? NaN : Number(text);
-  if (Number.isNaN(value)) return { note: leftOut(name, 'not a number') };
+  if (Number.isNaN(value)) return { note: leftOut(name, 'not a number', origin) };
   const isWhole = !Number.isFinite(value) || Number.isInteger(value);
-  if (!isWhole && grid.every(Number.isInteger)) return { note: leftOut(name, 'not a whole number') };
+  if (!isWhole && grid.every(Number.isInteger)) return { note: leftOut(name, 'not a whole number', origin) };
   const [first, last] = [grid[0], grid.at(-1)];
   const bounded = Math.min(Math.max(value, first), last);
   if (bounded === value) return { value };
   const range = `${number(first)} to ${number(last)}`;
-  const note = `${name} from the address is beyond its range ${range}: ${number(bounded)} is shown.`;
+  const note = `${name} ${origin} is beyond its range ${range}: ${number(bounded)} is shown.`;
   return { value: bounded, note };
 }
 

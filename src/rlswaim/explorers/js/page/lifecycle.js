@@ -5,6 +5,8 @@ import { element, set } from './elements.js';
 import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
 import { roundSteps } from './slider_keys.js';
+import { nameSliders } from './slider_names.js';
+import { keepInSight } from './slider_rows.js';
 import { onThemeChange, themeOf } from './theme.js';
 import { onUndoKeys, UndoHistory } from './undo.js';
 
@@ -24,7 +26,7 @@ import { onUndoKeys, UndoHistory } from './undo.js';
 const LAG = 160; // ms until what nobody watches follows the picture
 
 /** A page that is loaded again or gone back to keeps its place. */
-const isNewHere = () => {
+export const isNewHere = () => {
   const [entry] = /** @type {PerformanceNavigationTiming[]} */ (performance.getEntriesByType('navigation'));
   return entry?.type === 'navigate';
 };
@@ -43,6 +45,8 @@ export class Lifecycle {
     this.words = '';
     this.arrived = false;
     this.unkeySliders = () => {};
+    this.unnameSliders = () => {};
+    this.freeSliders = () => {};
     this.notice = new Notice(() => this.reset());
     el.append(this.notice.node);
     el.classList.add('rlswaim-explorer');
@@ -79,6 +83,12 @@ export class Lifecycle {
     this.redraw.now();
   }
 
+  /** Other things are drawn from now on. @param {Record<string, string>} colors */
+  recolor(colors) {
+    this.view.colors = colors;
+    this.theme = themeOf(this.el, colors);
+  }
+
   /** Something changed that the page brings about, not the hand. */
   follow() {
     this.redraw.next();
@@ -112,6 +122,8 @@ export class Lifecycle {
       unwatch();
       unkey();
       this.unkeySliders();
+      this.unnameSliders();
+      this.freeSliders();
       removeEventListener('hashchange', address);
       for (const name of watched) model.off(`change:${name}`, changed);
       view.stop?.();
@@ -121,13 +133,22 @@ export class Lifecycle {
   #measure() {
     if (!this.arrived && this.el.isConnected) {
       this.arrived = true;
-      const panel = this.el.closest('.widget-vbox');
-      const { own, model } = this.view.state;
-      if (panel) this.unkeySliders = roundSteps(panel, own, model);
+      this.#takeSliders();
       this.#readAddress(isNewHere());
       this.history.begin();
     }
     if (this.view.canvases.map((canvas) => this.#resized(canvas)).some(Boolean)) this.follow();
+  }
+
+  #takeSliders() {
+    const { own, model } = this.view.state;
+    if (this.el.closest('.bench')) return; // a bench that the page alone holds has sliders of its own
+    /** @type {HTMLElement} */
+    const panel = this.el.closest('.widget-vbox');
+    if (!panel) return;
+    this.unnameSliders = nameSliders(panel, own, model);
+    this.unkeySliders = roundSteps(panel, own, model, (note) => this.notice.typed(note));
+    this.freeSliders = keepInSight(panel);
   }
 
   /**

@@ -24,6 +24,11 @@ export class Notice {
     this.#say(['A shared state was opened.', ...notes.slice(0, MOST), ...more].join(' '));
   }
 
+  /** A text in a box was changed. @param {string} note */
+  typed(note) {
+    set(this.words, note);
+  }
+
   /** @param {unknown} error */
   failed(error) {
     console.error(error);

@@ -5,10 +5,23 @@ import { asText } from './take_away.js';
 
 /** @import { Pole, Theme, Values } from '../types.d.ts' */
 
-const HEADS = ['real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'];
+/**
+ * What a table says of a pole: heads of the columns; frequency and damping; the excess over the border of
+ * stability, whose sign decides.
+ * @typedef {{ heads: string[], plain: string[], motion: (re: number, im: number) => [number, number],
+ *   excess: (re: number, im: number) => number }} PoleWords
+ */
 
-/** @param {number} re */
-const stability = (re) => (re > 0 ? 'unstable' : re < 0 ? 'stable' : 'neutrally stable');
+/** @type {PoleWords} */
+export const POLES_IN_S = {
+  heads: ['real (1/s)', 'imaginary (1/s)', 'ω (rad/s)', 'ζ', 'stability'],
+  plain: ['real (1/s)', 'imaginary (1/s)', 'omega (rad/s)', 'zeta', 'stability'],
+  motion: (re, im) => [Math.hypot(re, im), -re / Math.hypot(re, im)],
+  excess: (re) => re,
+};
+
+/** @param {number} excess */
+const stability = (excess) => (excess > 0 ? 'unstable' : excess < 0 ? 'stable' : 'neutrally stable');
 
 /** A cell with eight digits, of which the last three are set back: enough to compare, easy to read. */
 class Figure {
@@ -43,12 +56,14 @@ class Row {
     const head = element('th', { scope: 'row' }, this.sign, ' ', this.name);
     this.node = element('tr', {}, head, ...cells, this.word);
     this.color = '';
+    /** @type {PoleWords} */
+    this.words = undefined;
     /** @type {Pole} */
     this.pole = { re: NaN, im: NaN, name: '' };
   }
 
-  /** @param {Pole} pole @param {Theme} theme */
-  show({ re, im, name }, theme) {
+  /** @param {Pole} pole @param {Theme} theme @param {PoleWords} words */
+  show({ re, im, name }, theme, words) {
     const color = theme.color(name);
     if (this.color !== color) {
       this.color = color;
@@ -56,15 +71,16 @@ class Row {
     }
     set(this.sign, theme.sign(name));
     if (this.name.data !== name) this.name.data = name;
-    if (this.pole.re === re && this.pole.im === im) return;
+    if (this.pole.re === re && this.pole.im === im && this.words === words) return;
+    this.words = words;
     this.pole = { re, im, name };
     Object.assign(this.node.dataset, { re, im, branch: name });
-    const size = Math.hypot(re, im);
-    [re, im, size, -re / size].forEach((value, k) => {
+    [re, im, ...words.motion(re, im)].forEach((value, k) => {
       this.figures[k].show(value);
     });
-    set(this.word, stability(re));
-    const kind = re > 0 ? 'unstable' : 'stable';
+    const excess = words.excess(re, im);
+    set(this.word, stability(excess));
+    const kind = excess > 0 ? 'unstable' : 'stable';
     if (this.word.className !== kind) this.word.className = kind;
   }
 }
@@ -75,11 +91,24 @@ export class PoleTable {
     this.body = element('tbody');
     /** @type {Row[]} */
     this.rows = [];
-    this.node = element('table', { class: 'poles' }, caption, headRow([head, ...HEADS]), this.body);
+    this.words = POLES_IN_S;
+    this.node = element(
+      'table',
+      { class: 'poles' },
+      caption,
+      headRow([head, ...this.words.heads]),
+      this.body,
+    );
   }
 
-  /** @param {Pole[]} poles @param {Theme} theme */
-  show(poles, theme) {
+  /** @param {Pole[]} poles @param {Theme} theme @param {PoleWords} words */
+  show(poles, theme, words = POLES_IN_S) {
+    if (this.words !== words) {
+      this.words = words;
+      words.heads.forEach((text, k) => {
+        set(this.node.tHead.rows[0].cells[k + 1], text);
+      });
+    }
     while (this.rows.length < poles.length) {
       const row = new Row();
       this.body.append(row.node);
@@ -87,17 +116,16 @@ export class PoleTable {
     }
     while (this.rows.length > poles.length) this.rows.pop().node.remove();
     poles.forEach((pole, i) => {
-      this.rows[i].show(pole, theme);
+      this.rows[i].show(pole, theme, words);
     });
   }
 }
 
-/** @param {Pole[]} poles @param {Values} values of the parameters */
-export function polesAsText(poles, values) {
+/** @param {Pole[]} poles @param {Values} values of the parameters @param {PoleWords} words */
+export function polesAsText(poles, values, words = POLES_IN_S) {
   const rows = poles.map(({ re, im, name }) => {
-    const size = Math.hypot(re, im);
-    return [name, re, im, size, size ? -re / size : '', stability(re)];
+    const [omega, zeta] = words.motion(re, im);
+    return [name, re, im, omega, Number.isNaN(zeta) ? '' : zeta, stability(words.excess(re, im))];
   });
-  const heads = ['leaves from', 'real (1/s)', 'imaginary (1/s)', 'omega (rad/s)', 'zeta', 'stability'];
-  return asText(heads, rows, values);
+  return asText(['leaves from', ...words.plain], rows, values);
 }

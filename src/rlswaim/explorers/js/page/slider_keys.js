@@ -1,11 +1,13 @@
 // Keys on the sliders beside a view, and texts in their boxes. An arrow steps to the next round number, with
-// Alt to the slider's next place, with Shift to the next power of ten; a box takes 0,618 as well as 1e-3.
+// Alt to the slider's next place, with Shift to the next power of ten; a box takes 0,618 as well as 1e-3, and
+// nothing beyond its slider's ends.
+import { valueFrom } from './address_values.js';
 
 /** @import { Model, Parameter } from '../types.d.ts' */
 
 const ROUND = [1, 2, 3, 4, 6, 8];
 /** @type {Record<string, number>} */
-const WAYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
+export const WAYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 };
 
 /**
  * The places of a slider that its keys step to. Where its own run over decades these are round numbers, some
@@ -39,11 +41,24 @@ export const nextPlace = (places, value, way) =>
 const takeAnyDecimals = (box) => box && Object.assign(box, { type: 'text', inputMode: 'decimal' });
 
 /**
+ * Puts into a box what its text means: with a point for a comma, and no value beyond the slider's ends.
+ * Returns words on what was changed.
+ * @param {HTMLInputElement} box @param {Parameter} parameter
+ */
+function bounded(box, parameter) {
+  box.value = box.value.replace(',', '.');
+  const { value, note } = valueFrom(parameter, box.value, 'as typed');
+  if (note) box.value = String(value ?? ''); // without a value the box goes back to the last one
+  return note;
+}
+
+/**
  * Takes the arrow keys of the sliders from what draws them. Returns what gives them back.
  * @param {Element} panel with a row for each of the parameters
  * @param {Parameter[]} parameters @param {Model} model
+ * @param {(note: string) => void} tell what was changed of a text in a box
  */
-export function roundSteps(panel, parameters, model) {
+export function roundSteps(panel, parameters, model, tell) {
   const numbers = parameters.filter(({ grid }) => typeof grid[0] !== 'string');
   /** @param {Event} event */
   const parameterOf = ({ target }) => {
@@ -63,17 +78,20 @@ export function roundSteps(panel, parameters, model) {
     model.save_changes();
   };
   /** @param {Event} event */
-  const typed = ({ target }) => {
-    const box = /** @type {HTMLInputElement} */ (target);
-    if (box.matches('.widget-hbox input') && box.value.includes(',')) box.value = box.value.replace(',', '.');
+  const typed = (event) => {
+    const box = /** @type {HTMLInputElement} */ (event.target);
+    const parameter = box.matches('.widget-hbox input') && parameterOf(event);
+    if (!parameter) return;
+    const note = bounded(box, parameter);
+    if (note) setTimeout(() => tell(note)); // when the view has taken the value
   };
   panel.querySelectorAll('.widget-hbox').forEach((row, k) => {
     if (!numbers[k]?.grid.every(Number.isInteger)) takeAnyDecimals(row.querySelector('input'));
   });
   panel.addEventListener('keydown', pressed, true);
-  for (const kind of ['input', 'change']) panel.addEventListener(kind, typed, true);
+  panel.addEventListener('change', typed, true);
   return () => {
     panel.removeEventListener('keydown', pressed, true);
-    for (const kind of ['input', 'change']) panel.removeEventListener(kind, typed, true);
+    panel.removeEventListener('change', typed, true);
   };
 }

@@ -3,7 +3,7 @@
 /** @import { Context, Parameter } from '../types.d.ts' */
 
 /** @param {Parameter} parameter @param {any} value */
-function nearest({ grid }, value) {
+export function nearest({ grid }, value) {
   const off = grid.map((place) =>
     typeof place === 'string' ? Number(place !== value) : Math.abs(place - value),
   );

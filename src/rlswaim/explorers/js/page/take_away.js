@@ -1,5 +1,6 @@
 // What a reader takes away: a picture, the poles, a link, the call of the library.
 import { SvgContext } from '../drawing/svg.js';
+import { flightAt } from '../maths/burn.js';
 
 /** @import { Graphics, Values } from '../types.d.ts' */
 
@@ -73,11 +74,30 @@ export async function copy(text) {
 }
 
 /**
+ * The call that makes the equations, with the vehicle's data where they are other than the report's.
+ * @param {string} own @param {import('../maths/vehicle_data.js').Plant | undefined} plant
+ * @param {Values} values
+ */
+function equationsOf(own, plant, values) {
+  if (plant?.burn) {
+    const { U, q_D } = flightAt(plant.burn, values);
+    return `${own}(${values.t}, U=${U}, q_D=${q_D})`;
+  }
+  const changes = (plant?.parameters ?? [])
+    .filter((name) => values[name] !== plant.own[name])
+    .map(
+      (name) =>
+        `${name}=${name === 'gravity' ? (values.gravity === 'kept' ? 'True' : 'False') : values[name]}`,
+    );
+  return changes.length ? `rl.with_other_data(${own}, ${changes.join(', ')})` : own;
+}
+
+/**
  * The call that gives the same closed loop.
  * @param {import('../types.d.ts').System} system
  * @param {Values} values
  */
-export function pythonOf({ python }, values) {
+export function pythonOf({ python, plant }, values) {
   /** @param {string} name */
   const none = (name) =>
     Object.entries(python.none?.[name] ?? {}).some(([other, value]) => values[other] === value);
@@ -86,7 +106,13 @@ export function pythonOf({ python }, values) {
     none(name) ? 'None' : [JSON.stringify(values[name]), ...(python.over?.[name] ?? [])].join(' / ');
   const given = Object.entries(python.arguments).map(([name, keyword]) => `${keyword}=${value(name)}`);
   const made = python.equations
-    ? ['import rlswaim as rl', '', `eqs = ${python.equations}`, `loop = rl.${python.function}(eqs, `]
+    ? [
+        'import rlswaim as rl',
+        ...(plant?.burn ? [`from rlswaim.practice.burn import ${python.equations}`] : []),
+        '',
+        `eqs = ${equationsOf(python.equations, plant, values)}`,
+        `loop = rl.${python.function}(eqs, `,
+      ]
     : [`from ${python.module} import ${python.function}`, '', `loop = ${python.function}(`];
   return `${made.join('\n')}${given.join(', ')})\nloop.poles()\n`;
 }

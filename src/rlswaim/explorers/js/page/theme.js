@@ -1,5 +1,5 @@
 // The colors of the page's theme, light or dark.
-import { SIGNS } from '../drawing/marks.js';
+import { signsOf } from '../drawing/marks.js';
 
 /** @import { Theme } from '../types.d.ts' */
 
@@ -26,6 +26,7 @@ export function themeOf(root, own) {
   const read = (name) => style.getPropertyValue(`--${name}`).trim();
   const names = Object.keys(own);
   const colors = new Map(names.map((name) => [name, lightened(own[name], Number(read('lift')))]));
+  const signs = signsOf(names);
   return {
     plane: read('plane'),
     unstable: read('unstable'),
@@ -34,7 +35,7 @@ export function themeOf(root, own) {
     ink: read('ink'),
     muted: read('muted'),
     color: (name) => colors.get(name),
-    sign: (name) => SIGNS[names.indexOf(name)],
+    sign: (name) => signs.get(name),
   };
 }
 

@@ -96,8 +96,9 @@ export class UndoHistory {
  */
 function undone(event, el, history) {
   if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== 'z') return;
-  const room = el.closest('.side, .widget-vbox') ?? el;
+  const room = el.closest('.bench, .side, .widget-vbox') ?? el;
   const target = /** @type {Element} */ (event.target);
+  if (target.closest?.('.bench') !== el.closest('.bench')) return; // a bench in the view has its own steps
   if (!room.contains(target) || target.matches('input:not([type=range]), textarea')) return;
   event.preventDefault();
   if (event.shiftKey) history.redo();

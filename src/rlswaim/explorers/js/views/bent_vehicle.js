@@ -7,9 +7,12 @@ import { element, legend, picture, set } from '../page/elements.js';
 import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { REACH, vehicleMarks } from './bent_vehicle_marks.js';
+import { ModeMotion } from './mode_motion.js';
 import { simple } from './simple_view.js';
 
 /** @import { Values } from '../types.d.ts' */
+/** @import { ParameterState } from '../page/parameter_state.js' */
+/** @import { PageBench } from './page_bench.js' */
 /** @import { Loads } from '../maths/bent_vehicle_forces.js' */
 /** @import { Lifecycle } from '../page/lifecycle.js' */
 /** @typedef {ReturnType<typeof loads>} Found loads of each source and their sums */
@@ -37,7 +40,8 @@ class BentVehicle {
     this.payload = payload;
     this.stretch = element('small');
     const title = element('b', {}, 'The bent vehicle');
-    const { canvas, figure } = picture('vehicle', {}, title, ', nose to the left', this.stretch);
+    this.mode = element('span');
+    const { canvas, figure } = picture('vehicle', {}, title, ', nose to the left', this.mode, this.stretch);
     this.canvases = [canvas];
     this.words = element('p', { class: 'verdict' });
     const heads = ['from', 'local angle of attack (deg)', ...LOADS];
@@ -49,6 +53,10 @@ class BentVehicle {
       ['▬', 'payload and fins, with the air’s force across'],
       ['■', 'center of gravity'],
     ]);
+    /** @type {Values | null} the motions of a mode, which are drawn in place of the sliders' */
+    this.motions = null;
+    /** @type {ModeMotion | undefined} */
+    this.motion = undefined;
     this.nodes = [this.words, figure, signs, this.table.node, this.#units()];
   }
 
@@ -103,10 +111,29 @@ class BentVehicle {
     this.table.show([...rows, row('sum', '', sum)]);
   }
 
+  /**
+   * A bench on the vehicle: the mode that is picked there moves it.
+   * @param {PageBench | null} bench @param {ParameterState} _ @param {Lifecycle} page
+   */
+  benched(bench, _, page) {
+    this.motion ??= new ModeMotion(page, (motions, name) => {
+      const rests = !motions && !this.motions;
+      this.motions = motions;
+      set(this.mode, motions ? `, moving in the closed-loop mode from ${name}` : '');
+      if (motions) this.#picture(motions, loads(this.payload, motions), page);
+      else if (!rests) page.follow();
+    });
+    this.motion.follow(bench);
+  }
+
+  stop() {
+    this.motion?.stop();
+  }
+
   /** @param {Values} values @param {Lifecycle} page */
   draw(values, page) {
     const found = loads(this.payload, values);
-    this.#picture(values, found, page);
+    if (!this.motions) this.#picture(values, found, page);
     this.#tell(found);
     const said = spoken(found.sum);
     set(this.words, said);

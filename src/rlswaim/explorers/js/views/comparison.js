@@ -1,77 +1,45 @@
-// Two designs side by side, each on a workbench of its own. The designs are chosen outside, by number.
+// Two designs side by side, each on a workbench of its own with its sliders, both on the same scales. The
+// designs are chosen outside, by number.
 import { goToAddressed, readAddress, writeAddress } from '../page/address.js';
 import { leftOut } from '../page/address_values.js';
 import { element } from '../page/elements.js';
+import { isNewHere } from '../page/lifecycle.js';
 import { Notice } from '../page/notice.js';
-import { Workbench } from './workbench.js';
+import { PageBench } from './page_bench.js';
+import { SharedWindow } from './shared_window.js';
 
-/** @import { Context, Model, Values } from '../types.d.ts' */
+/** @import { Context, Model } from '../types.d.ts' */
 
 const SIDES = ['left', 'right'];
 const NAME = 'comparison';
 
-/** A model that only this page holds. @implements {Model} */
-class PageModel {
-  /** @param {Values} values */
-  constructor(values) {
-    this.values = values;
-    /** @type {Map<string, Set<() => void>>} */
-    this.acts = new Map();
-  }
-
-  /** @param {string} name */
-  get(name) {
-    return this.values[name];
-  }
-
-  /** @param {string} name @param {unknown} value */
-  set(name, value) {
-    if (this.values[name] === value) return;
-    this.values[name] = value;
-    for (const act of [...(this.acts.get(`change:${name}`) ?? [])]) act();
-  }
-
-  save_changes() {}
-
-  /** @param {string} event @param {() => void} act */
-  on(event, act) {
-    this.acts.set(event, (this.acts.get(event) ?? new Set()).add(act));
-  }
-
-  /** @param {string} event @param {() => void} act */
-  off(event, act) {
-    this.acts.get(event)?.delete(act);
-  }
-}
-
 class Side {
-  /** @param {Model} model @param {string} key */
-  constructor(model, key) {
+  /** @param {Model} model @param {string} key @param {SharedWindow} shared */
+  constructor(model, key, shared) {
     this.model = model;
+    this.shared = shared;
     this.key = key;
     /** @type {number} */
     this.at = undefined;
-    /** @type {Workbench} */
+    /** @type {PageBench} */
     this.bench = undefined;
     this.root = element('div');
     this.node = element('section', { class: 'side', 'aria-label': `${key} design` }, this.root);
   }
 
   show() {
-    const { systems, designs } = this.model.get('payload');
+    const { shared, systems, designs } = this.model.get('payload');
     const at = this.model.get(this.key);
     if (at === this.at || !designs[at]) return;
     if (this.bench) {
-      this.bench.page.stop();
-      writeAddress(this.bench.page.name, {}); // what was looked at goes with the design
+      this.bench.stop();
+      writeAddress(this.bench.name, {}); // what was looked at goes with the design
     }
-    const payload = systems[designs[at].system];
+    const payload = { ...shared, ...systems[designs[at].system] };
     const initial = payload.presets[designs[at].preset].values;
-    const root = element('div', { 'data-name': `${this.key}-${at}` });
-    this.root.replaceWith(root);
-    Object.assign(this, { at, root });
-    const model = new PageModel({ payload: { ...payload, initial }, magnify: 1, ...initial });
-    this.bench = new Workbench(model, root);
+    this.bench = new PageBench(payload, initial, `${this.key}-${at}`, this.shared);
+    this.root.replaceWith(this.bench.node);
+    Object.assign(this, { at, root: this.bench.node });
   }
 }
 
@@ -92,7 +60,8 @@ export function render({ model, el }) {
   el.classList.add('rlswaim-comparison');
   el.dataset.explorer = NAME;
   const start = SIDES.map((key) => model.get(key));
-  const sides = SIDES.map((key) => new Side(model, key));
+  const shared = new SharedWindow();
+  const sides = SIDES.map((key) => new Side(model, key, shared));
   /** @param {{ key: string, at: number }[]} designs */
   const choose = (designs) => {
     for (const { key, at } of designs) model.set(key, at);
@@ -114,6 +83,11 @@ export function render({ model, el }) {
   el.append(element('div', { class: 'rlswaim-explorer' }, notice.node), ...sides.map(({ node }) => node));
   arrive();
   show();
+  const laidOut = new ResizeObserver(() => {
+    laidOut.disconnect();
+    if (isNewHere()) goToAddressed(el, NAME);
+  });
+  laidOut.observe(el);
   const changed = () => {
     notice.clear();
     show();
@@ -125,7 +99,8 @@ export function render({ model, el }) {
   };
   addEventListener('hashchange', followLink);
   return () => {
-    for (const { bench } of sides) bench.page.stop();
+    laidOut.disconnect();
+    for (const { bench } of sides) bench.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
     removeEventListener('hashchange', followLink);
   };

@@ -1,6 +1,6 @@
 // The vehicle without control: its poles as the coupling or one of its parameters runs.
 import { contextOf } from '../drawing/context.js';
-import { arrow, cross, line, mark } from '../drawing/marks.js';
+import { arrow, cross, line, mark, signsOf } from '../drawing/marks.js';
 import { sPlane } from '../drawing/s_plane.js';
 import { ladder } from '../drawing/ticks.js';
 import { frameOf, viewOf } from '../drawing/view.js';
@@ -27,7 +27,6 @@ const NAMES = {
   l_payload: 'the payload’s station',
   l_fins: 'the fins’ station',
 };
-const SIGNS = { attitude: '■', 'short period': '●', 'mode 1': '▲', 'mode 2': '◆' };
 const TITLE = 'Poles of the vehicle without control';
 
 /**
@@ -86,8 +85,9 @@ class CoupledVehicle {
     this.canvases = [canvas];
     this.verdict = new VerdictLine();
     this.table = new PoleTable(element('caption', {}, TITLE), 'grows out of');
-    const names = Object.entries(SIGNS).map(([name, sign]) => [sign, name]);
-    const signs = legend([['×', 'each motion by itself'], .../** @type {[string, string][]} */ (names)]);
+    /** @type {[string, string][]} */
+    const names = [...signsOf(Object.keys(payload.colors))].map(([name, sign]) => [sign, name]);
+    const signs = legend([['×', 'each motion by itself'], ...names]);
     this.nodes = [this.verdict.node, figure, signs, scrolling(TITLE, this.table.node)];
   }
 

@@ -1,4 +1,6 @@
 // What a loop can be excited with, and the choices of a response's length.
+import { inputsOf } from '../maths/terms.js';
+
 /** @import { System } from '../types.d.ts' */
 /** @typedef {{ input: string, kind: string, amplitude: number, text: string }} Excitation */
 
@@ -22,5 +24,5 @@ function excitationOf(input) {
   return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
 }
 
-/** @param {System} system */
-export const excitationsOf = ({ numerators }) => Object.keys(numerators).map(excitationOf);
+/** @param {System} system @returns {Excitation[]} */
+export const excitationsOf = (system) => system.excitations ?? inputsOf(system).map(excitationOf);

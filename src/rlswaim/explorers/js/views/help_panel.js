@@ -6,6 +6,13 @@ const HELP = [
   ['click the locus', 'set the running parameter; hover reads gain, ω and ζ'],
   ['click a filled mark, or Enter on it', 'show its mode shape along the vehicle'],
   ['click the pole map, or drag a mark on it', 'pick the station'],
+  ['hover a frequency response', 'mark the frequency in Bode, Nichols, Nyquist and on the axis of the locus'],
+  [
+    'drag a frequency response',
+    'up or down: set the running gain; so do the arrows, left and right the mark',
+  ],
+  ['drag a dotted ring', 'move a pole or zero of the compensator; on the Bode diagram its frequency'],
+  ['hatched', 'where the requirements let no pole be'],
   ['wheel, pinch, + and −', 'zoom'],
   ['drag the plane, Shift + arrows', 'pan'],
   ['double click, 0', 'fit the window again'],

@@ -8,6 +8,8 @@ import { render as ascent } from './ascent.js';
 import { render as bentVehicle } from './bent_vehicle.js';
 import { render as comparison } from './comparison.js';
 import { render as coupledVehicle } from './coupled_vehicle.js';
+import { render as movingLoop } from './moving_loop.js';
+import { render as ownLoop } from './own_loop.js';
 import { render as peakBound } from './peak_bound.js';
 import { render as stationMap } from './station_map.js';
 import { render as workbench } from './workbench.js';
@@ -20,6 +22,8 @@ const VIEWS = {
   'bent-vehicle': bentVehicle,
   comparison,
   'coupled-vehicle': coupledVehicle,
+  'moving-loop': movingLoop,
+  'own-loop': ownLoop,
   'peak-bound': peakBound,
   'station-map': stationMap,
   workbench,

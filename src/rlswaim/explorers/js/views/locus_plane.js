@@ -7,6 +7,7 @@ import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { gainAt } from '../maths/gain_at.js';
 import { rootLocus } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
+import { regionOf } from '../maths/requirements.js';
 import { button, element, group, press, set, symbol } from '../page/elements.js';
 import { movable, movableByKeys, placeOn } from '../page/movable_point.js';
 import { number } from '../page/numbers.js';
@@ -22,6 +23,7 @@ const KEYS_HELP =
   'Arrows step the running parameter, plus and minus zoom, 0 fits, Shift with arrows pans, ' +
   'Tab goes to the poles.';
 const ZOOM = 1 / 0.7;
+const CIRCLE = [-1, 1].map((x) => [x, 1]); // what a plane of z shows at least
 
 /** A value of what runs, with its unit. @param {System} system @param {string} name */
 export const runText = (system, name) => {
@@ -37,6 +39,7 @@ export class LocusPlane {
     /** @type {HTMLCanvasElement} */
     this.spare = undefined;
     this.ranged = '';
+    this.open = '';
     this.canvas = element('canvas', {
       role: 'application',
       tabindex: '0',
@@ -47,8 +50,9 @@ export class LocusPlane {
     this.poles = new PoleButtons((branch) => this.#open(branch));
     this.title = element('b', {}, 'Root locus');
     this.range = element('span');
-    this.now = element('small');
-    const caption = element('figcaption', {}, element('span', {}, this.title, ', ', this.range), this.now);
+    this.now = { marks: element('span'), name: element('span'), size: element('span'), off: element('span') };
+    const now = element('small', {}, ...Object.values(this.now));
+    const caption = element('figcaption', {}, element('span', {}, this.title, ', ', this.range), now);
     const over = [this.poles.node, this.tip.spot, this.tip.node, this.#tools()];
     this.node = element(
       'figure',
@@ -206,9 +210,12 @@ export class LocusPlane {
     }
     /** @type {Extra} */
     this.extra = {
-      printed: state.isDesign(printed) ? roots : [],
+      printed: state.isDesign(printed) && state.isOwnVehicle ? roots : [],
+      cloud: this.bench.vehicle.cloud.points,
       selected: this.bench.selected(closed),
+      region: regionOf(state.asked),
       inset: this.inset,
+      discrete: Boolean(system.loop?.dt),
     };
     this.paint(contextOf(this.canvas, width, height));
     this.poles.place(this.locus.present, this.view);
@@ -234,9 +241,11 @@ export class LocusPlane {
    * @param {number} width @param {number} height @param {NamedRoots} closed @param {Pole[]} printed
    */
   #fit(width, height, closed, printed) {
-    const { system, state } = this.bench;
+    const { system, state, shared } = this.bench;
     const near = [namedPoles(system, state.values), closed].flatMap((roots) => withinReach(system, roots));
-    return fitted([...near, ...printed.map(({ re, im }) => [re, im])], width, height);
+    const circle = system.loop?.dt ? CIRCLE : [];
+    const points = [...near, ...circle, ...printed.map(({ re, im }) => [re, im])];
+    return fitted(shared?.with(this.bench, points) ?? points, width, height);
   }
 
   /** @param {Values} values @param {What} what */
@@ -247,11 +256,15 @@ export class LocusPlane {
     if (this.ranged !== running + range) {
       this.ranged = running + range;
       this.range.replaceChildren(...symbol(running), range);
+      this.now.name.replaceChildren(...symbol(running));
     }
+    set(this.now.marks, `${name && name !== running ? `${name}: ` : ''}filled marks at `);
+    set(this.now.size, ` = ${text(values[running])}`);
     const still = off.filter((other) => other !== running);
-    const open = still.length ? `, with ${still.join(', ')} = 0` : '';
-    const named = name && name !== running ? `${name}: ` : '';
-    set(this.now, `${named}filled marks at ${running} = ${text(values[running])}${open}`);
+    if (this.open === still.join()) return;
+    this.open = still.join();
+    const names = still.flatMap((other, k) => [k ? ', ' : ', with ', ...symbol(other)]);
+    this.now.off.replaceChildren(...names, ...(names.length ? [' = 0'] : []));
   }
 
   /** Words that may lag a little behind the picture. @param {string} words */

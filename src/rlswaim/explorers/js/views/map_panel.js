@@ -25,7 +25,10 @@ export class MapPanel {
     const { system } = bench;
     /** @type {[number, string][]} */
     const stations = system.maps.map((/** @type {string} */ name, /** @type {number} */ i) => [i, name]);
-    this.list = select('Station of', stations, (at) => bench.look({ map: Number(at) }));
+    const ofStations = system.maps.every((/** @type {string} */ name) => system.running[name].unit === 'ft');
+    this.list = select(ofStations ? 'Station of' : 'As this runs:', stations, (at) =>
+      bench.look({ map: Number(at) }),
+    );
     this.canvas = picture('map', {}).canvas;
     const row = element('div', { class: 'controls', hidden: stations.length < 2 }, this.list.node);
     this.panel = panel('map', 'Pole map', () => bench.page.follow(), row, this.canvas);
@@ -65,7 +68,7 @@ export class MapPanel {
   draw(width) {
     this.stop();
     const { system, state, closed } = this.bench;
-    const height = Math.round(Math.min(0.8 * width, 420));
+    const height = this.bench.desk.room(this.canvas) ?? Math.round(Math.min(0.8 * width, 420));
     const { camera } = state.shown;
     const view = camera ? windowOf(camera, width, height) : this.#fit(width, height);
     const steps = poleMapping(system, state.values, closed, view, state.station);
@@ -101,7 +104,14 @@ export class MapPanel {
       this.canvas.style.height = `${height}px`;
     }
     const { ends, unit } = system.running[state.station];
-    drawMap(contextOf(this.canvas, width, height), view, page.theme, closed, sides, unit);
+    drawMap(
+      contextOf(this.canvas, width, height),
+      view,
+      page.theme,
+      closed,
+      sides,
+      system.running[state.station],
+    );
     const still = `${number(state.values[state.station])} ${unit}`;
     const range = `${state.station} from ${ends.join(' to ')} ${unit}, filled marks at ${still}`;
     set(this.panel.extra, sides.length ? range : 'no influence: the feedback leaves out the bending');

@@ -124,7 +124,9 @@ export class ModePanel {
     const phases = this.still ? STILL_PHASES : [this.phase];
     const marks = [
       { station: system.vehicle.l_CG, label: 'CG' },
-      ...system.maps.map((/** @type {string} */ name) => ({ station: state.values[name], label: name })),
+      ...system.maps
+        .filter((/** @type {string} */ name) => system.running[name].unit === 'ft')
+        .map((/** @type {string} */ name) => ({ station: state.values[name], label: name })),
     ];
     this.canvas.style.height = `${HEIGHT}px`;
     const color = page.theme.color(pole.name);

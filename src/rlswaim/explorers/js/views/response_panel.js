@@ -1,6 +1,7 @@
 // The responses in time of the closed loop after a step, a gust, or a displacement at the start.
 import { contextOf } from '../drawing/context.js';
 import { drawResponses, heightOf, responseWords } from '../drawing/response_charts.js';
+import { stepResponse } from '../maths/own_response.js';
 import { responses } from '../maths/responses.js';
 import { element, panel, picture, select } from '../page/elements.js';
 import { DURATIONS, GUSTS } from './excitations.js';
@@ -26,7 +27,7 @@ export class ResponsePanel {
     this.lists = {
       input: select('After a', inputs, look('input')),
       gust: select('lasting', seconds(GUSTS), look('gust')),
-      duration: select('over', seconds(DURATIONS), look('duration')),
+      duration: select('over', seconds(bench.system.durations ?? DURATIONS), look('duration')),
     };
     const nodes = Object.values(this.lists).map(({ node }) => node);
     const row = element('div', { class: 'controls' }, ...nodes);
@@ -53,8 +54,10 @@ export class ResponsePanel {
       this.times = Float64Array.from({ length: SAMPLES }, (_, k) => (duration * k) / (SAMPLES - 1));
     }
     /** @type {Record<string, Float64Array>} */
-    this.found = responses(system, state.values, state.response, this.times);
-    const height = heightOf(width, Object.keys(this.found).length);
+    this.found = system.loop
+      ? { y: stepResponse(system, state.values, this.times) }
+      : responses(system, state.values, state.response, this.times);
+    const height = this.bench.desk.room(this.canvas) ?? heightOf(width, Object.keys(this.found).length);
     if (this.height !== height) {
       this.height = height;
       this.canvas.style.height = `${height}px`;

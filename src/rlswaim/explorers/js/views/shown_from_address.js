@@ -1,7 +1,12 @@
 // What an address says of a workbench beside its parameters: the locus, the window, the panels' choices.
 import { isWindow } from '../drawing/camera.js';
+import { MOST } from '../maths/compensator.js';
 import { leftOut } from '../page/address_values.js';
+import { compensatorFrom } from '../page/compensator_text.js';
+import { askedFrom } from '../page/requirement_text.js';
+import { deskFrom } from './desk_state.js';
 import { DURATIONS, GUSTS } from './excitations.js';
+import { PICTURES } from './frequency_panel.js';
 
 /** @import { Shown, WorkbenchState } from './workbench_state.js' */
 
@@ -16,12 +21,13 @@ const placesFrom = (first, end) => (/** @type {number} */ at) =>
  * @param {WorkbenchState} state
  * @returns {Record<string, (value: number) => boolean>}
  */
-const sensible = ({ system, inputs }) => ({
+const sensible = ({ base: system, inputs }) => ({
   map: placesFrom(0, system.maps.length),
   input: placesFrom(0, inputs.length),
   printed: placesFrom(-1, system.presets.length),
-  mode: placesFrom(0, system.poles.length + system.actuators.length),
-  duration: (value) => DURATIONS.includes(value),
+  mode: placesFrom(0, system.poles.length + system.actuators.length + MOST.order),
+  duration: (value) => (system.durations ?? DURATIONS).includes(value),
+  cloud: placesFrom(0, 2),
   gust: (value) => GUSTS.includes(value),
   magnify: (value) => value >= 1 && value <= LARGEST,
 });
@@ -47,7 +53,11 @@ export function shownFrom(state, texts) {
   for (const [name, isSensible] of Object.entries(sensible(state)))
     take(name, (text) => (text !== '' && isSensible(Number(text)) ? Number(text) : undefined));
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
+  take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
+  take('compensator', (text) => (compensatorFrom(text, state.places) ? text : undefined));
+  take('requirements', (text) => (askedFrom(text) ? text : undefined));
   take('window', windowFrom);
+  take('desk', deskFrom);
   const { magnify, window, ...shown } = found;
   return { shown: window ? { ...shown, camera: window } : shown, magnify, notes };
 }

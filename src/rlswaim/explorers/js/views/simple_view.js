@@ -6,8 +6,10 @@ import { Lifecycle } from '../page/lifecycle.js';
 import { LinkCopier } from '../page/link_copier.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
 import { download, fileName, tableAsText } from '../page/take_away.js';
+import { BenchPanel } from './bench_panel.js';
 
 /** @import { Context, Payload, Values } from '../types.d.ts' */
+/** @import { PageBench } from './page_bench.js' */
 /**
  * @typedef {object} Simple
  * @property {Node[]} nodes
@@ -15,6 +17,8 @@ import { download, fileName, tableAsText } from '../page/take_away.js';
  * @property {(values: Values, page: Lifecycle) => string} draw
  * @property {(state: ParameterState, page: Lifecycle) => void} [begin] it is on its page
  * @property {() => void} [stop]
+ * @property {(bench: PageBench | null, state: ParameterState, page: Lifecycle) => void} [benched] a bench on
+ *   its vehicle is open, or none
  */
 
 const CAPTION = 22; // px above each picture
@@ -90,13 +94,19 @@ export const simple =
         for (const preset of made) press(preset.node, holds(preset.values, values));
         return view.draw(values, page);
       },
-      stop: () => view.stop?.(),
+      stop: () => {
+        bench?.stop();
+        view.stop?.();
+      },
     });
     const undo = state.own.length ? page.history.buttons : [];
     const { link, said } = new LinkCopier(() => page.writeAddress());
     const nodes = [...made.map(({ node }) => node), reset, ...undo, link, said];
     const tried = group('buttons', 'Presets', element('span', {}, 'Try'), ...nodes);
-    el.append(tried, ...view.nodes, page.live, takeAway(view, state, page));
+    const bench = state.payload.bench
+      ? new BenchPanel(state, (opened) => view.benched?.(opened, state, page))
+      : undefined;
+    el.append(tried, ...view.nodes, page.live, ...(bench ? [bench.node] : []), takeAway(view, state, page));
     view.begin?.(state, page);
     return page.stop;
   };

@@ -1,8 +1,11 @@
 // What a reader takes away from a workbench: the link, the picture, the poles, the call of the library.
+
+import { pythonWith } from '../page/compensator_python.js';
 import { button, element, panel, set } from '../page/elements.js';
 import { LinkCopier } from '../page/link_copier.js';
 import { polesAsText } from '../page/pole_table.js';
-import { download, fileName, pythonOf, svgOf } from '../page/take_away.js';
+import { pythonOfLoop } from '../page/python_of_loop.js';
+import { download, fileName, svgOf } from '../page/take_away.js';
 
 /** @import { Workbench } from './workbench.js' */
 
@@ -27,7 +30,9 @@ export class TakeAway {
   }
 
   #call() {
-    return pythonOf(this.bench.system, this.bench.state.values);
+    const { system, state } = this.bench;
+    if (system.given) return pythonOfLoop(system.given, state.values.k);
+    return pythonWith(system, state.values, state.inLoop === state.system ? null : state.compensator);
   }
 
   /** @param {string} words */
@@ -37,12 +42,13 @@ export class TakeAway {
 
   /** @param {string} what */
   #fileName(what) {
-    return fileName(this.bench.system.system, this.bench.state.values, what);
+    const { system, state } = this.bench;
+    return fileName(system.system, system.given ? { k: state.values.k } : state.told, what);
   }
 
   #savePoles() {
-    const { poles, state } = this.bench;
-    download(this.#fileName('poles.csv'), 'text/csv', polesAsText(poles, state.values));
+    const { poles, state, words } = this.bench;
+    download(this.#fileName('poles.csv'), 'text/csv', polesAsText(poles, state.values, words.poles));
   }
 
   #savePicture() {

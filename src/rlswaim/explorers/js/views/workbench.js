@@ -3,6 +3,7 @@
 import { nearestRoot } from '../drawing/nearest.js';
 import { closedLoop } from '../maths/closed_loop.js';
 import { margins } from '../maths/margins.js';
+import { withCompensator } from '../page/compensator_words.js';
 import {
   button,
   element,
@@ -16,50 +17,58 @@ import {
   symbol,
 } from '../page/elements.js';
 import { Lifecycle } from '../page/lifecycle.js';
-import { crossingWords, marginWords, printedWords } from '../page/locus_words.js';
+import { printedWords } from '../page/locus_words.js';
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
-import { VerdictLine, verdict } from '../page/verdict.js';
+import { VerdictLine } from '../page/verdict.js';
+import { IN_S } from '../page/words_in_s.js';
+import { CompensatorPanel } from './compensator_panel.js';
+import { CriteriaCard } from './criteria_card.js';
+import { Desk } from './desk.js';
+import { FrequencyPanel } from './frequency_panel.js';
 import { helpPanel } from './help_panel.js';
 import { LocusPlane } from './locus_plane.js';
 import { MapPanel } from './map_panel.js';
 import { ModePanel } from './mode_panel.js';
+import { RequirementPanel } from './requirement_panel.js';
 import { ResponsePanel } from './response_panel.js';
+import { signsOf } from './signs_of_planes.js';
 import { TakeAway } from './take_away_panel.js';
+import { VehiclePanel } from './vehicle_panel.js';
 import { WorkbenchState } from './workbench_state.js';
 
 /** @import { Context, Model, NamedRoots, Pole, System, Values } from '../types.d.ts' */
+/** @import { SharedWindow } from './shared_window.js' */
 /** @import { Verdict } from '../page/verdict.js' */
 /** @import { Shown } from './workbench_state.js' */
+/** @import { Words } from '../page/words_in_s.js' */
 /** @typedef {Pole & { index: number }} Selected */
 /**
  * @typedef {{ canvas: HTMLCanvasElement, node: HTMLDetailsElement }} Part a panel that draws while it is seen
  */
 
 const MAGNIFY = [1, 3, 10, 100, 1000, 10000];
-/** What the signs of the planes mean. @param {System} system @returns {[string, string][]} */
-const signsOf = ({ running, maps }) => [
-  ['×', 'open-loop pole'],
-  ['○', 'open-loop zero'],
-  ['■ ● ▲ ◆ ▼', 'closed-loop poles, as in the table'],
-  ['▸', 'rising gain'],
-  ['◇', 'crossing: gain and ω'],
-  ['•', `break-away; in the map, every 100 ${running[maps[0]].unit}`],
-  ['╌', 'a pair whose roots left different poles'],
-  ['+', 'printed in the report'],
-];
 
 export class Workbench {
-  /** @param {Model} model @param {HTMLElement} el */
-  constructor(model, el) {
-    this.state = new WorkbenchState(model);
-    /** @type {System} */
-    this.system = this.state.system;
+  /**
+   * @param {Model} model @param {HTMLElement} el
+   * @param {{ shared?: SharedWindow, state?: WorkbenchState }} [given] shared: with other workbenches
+   */
+  constructor(model, el, { shared, state = new WorkbenchState(model) } = {}) {
+    this.shared = shared;
+    this.state = state;
+    /** @type {Words} */
+    this.words = IN_S;
     this.plane = new LocusPlane(this);
     this.map = new MapPanel(this);
     this.responses = new ResponsePanel(this);
+    this.vehicle = new VehiclePanel(this);
     this.mode = new ModePanel(this);
+    this.frequency = new FrequencyPanel(this);
+    this.compensator = new CompensatorPanel(this);
+    this.requirements = new RequirementPanel(this);
     this.takeAway = new TakeAway(this);
+    this.criteria = new CriteriaCard(this);
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
     this.signs = legend(signsOf(this.system));
@@ -70,21 +79,35 @@ export class Workbench {
       printed: element('span'),
     };
     this.named = '';
-    this.parts = [this.map, this.responses, ...(this.system.vehicle ? [this.mode] : [])];
+    const { maps, vehicle } = this.system;
+    const map = maps.length ? [this.map] : [];
+    this.parts = [this.frequency, ...map, this.responses, ...(vehicle ? [this.mode] : [])];
     this.seen = new Map(this.parts.map(({ canvas }) => [canvas, true]));
     this.page = new Lifecycle(el, this.system.system, {
       state: this.state,
-      colors: this.system.branches,
+      colors: withCompensator(this.system.branches),
       canvases: [this.plane.canvas, ...this.seen.keys()],
       draw: () => this.#draw(),
       later: () => this.#later(),
-      arrived: (texts) => {
-        if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
-      },
+      arrived: (texts) => this.#arrived(texts),
       stop: () => this.#end(),
     });
     this.#build(el);
     this.#watch();
+  }
+
+  /** The system around the vehicle under the sliders, with its compensator. @returns {System} */
+  get system() {
+    return this.state.inLoop;
+  }
+
+  /** Opens what an address is about. @param {Record<string, string>} texts */
+  #arrived(texts) {
+    if ('view.mode' in texts) this.mode.node.open = Boolean(this.system.vehicle);
+    if ('view.desk' in texts) this.desk.follow();
+    const { frequency, compensator, requirements } = this;
+    for (const [name, { node }] of Object.entries({ frequency, compensator, requirements }))
+      if (`view.${name}` in texts) node.open = true;
   }
 
   /** @param {HTMLElement} el */
@@ -92,17 +115,28 @@ export class Workbench {
     const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
-    const panels = [poles, ...this.parts, this.takeAway].map(({ node }) => node);
-    el.append(
-      this.#presets(),
-      this.#bar(),
-      this.verdictLine.node,
-      this.page.live,
-      this.plane.node,
-      element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed),
-      this.signs,
+    const compensator = this.state.places.length ? [this.compensator] : [];
+    const asked = this.system.loop?.dt ? [] : [this.requirements];
+    const criteria = this.system.loop ? [] : [this.criteria];
+    const panels = [
+      poles,
+      this.vehicle,
+      ...compensator,
+      ...asked,
+      ...this.parts,
+      ...criteria,
+      this.takeAway,
+    ].map(({ node }) => node);
+    const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
+    const work = element(
+      'div',
+      { class: 'work' },
+      element('div', { class: 'plane' }, this.plane.node, words, this.signs),
       element('div', { class: 'panels' }, ...panels, helpPanel()),
     );
+    this.desk = new Desk(this, el, work);
+    el.append(this.#presets(), this.#bar(), this.verdictLine.node, this.page.live, this.desk.node, work);
+    this.desk.begin();
   }
 
   #presets() {
@@ -113,7 +147,8 @@ export class Workbench {
       this.state.reset();
       this.page.changed();
     });
-    return group('buttons', 'Designs', element('span', {}, 'Designs'), ...this.designs, reset);
+    const { designs = 'Designs' } = this.system;
+    return group('buttons', designs, element('span', {}, designs), ...this.designs, reset);
   }
 
   /** @param {number} preset */
@@ -134,7 +169,8 @@ export class Workbench {
       this.page.changed();
     });
     const { link, said } = this.takeAway;
-    const steps = element('span', { class: 'steps' }, ...this.page.history.buttons, link, said);
+    const desk = this.page.el.dataset.name ? [] : [this.desk.button]; // two side by side have none
+    const steps = element('span', { class: 'steps' }, ...this.page.history.buttons, link, ...desk, said);
     return element('div', { class: 'bar' }, this.loci.node, this.inset.node, steps);
   }
 
@@ -152,9 +188,12 @@ export class Workbench {
 
   #end() {
     this.watch.disconnect();
+    this.shared?.leave(this);
     this.plane.stop();
     this.mode.stop();
     this.map.stop();
+    this.desk.stop();
+    this.vehicle.stop();
   }
 
   // What the parts of the workbench ask for.
@@ -196,7 +235,11 @@ export class Workbench {
     return node.open && this.seen.get(canvas);
   }
 
+  /** Before each drawing. */
+  prepare() {}
+
   #draw() {
+    this.prepare();
     const { state, system, page } = this;
     const { values } = state;
     /** @type {NamedRoots} */
@@ -206,8 +249,10 @@ export class Workbench {
     this.poles = branches.map((name, i) => ({ re: x[i], im: y[i], name }));
     const [width, height] = page.sizeOf(this.plane.canvas);
     this.plane.draw(width, height, this.closed);
+    this.shared?.drawn(this);
     for (const part of this.parts)
       if (this.isSeen(part)) part.draw(page.sizeOf(part.canvas)[0] || width, this.closed);
+    this.vehicle.draw();
     this.#tell(values);
     rehearse(system, values, (other) => this.plane.rehearse(other));
     return this.verdict.short;
@@ -219,42 +264,41 @@ export class Workbench {
     const { running } = state.what;
     const { locus, extra } = this.plane;
     /** @type {Verdict} */
-    this.verdict = verdict(this.poles);
+    this.verdict = this.words.verdict(this.poles);
     this.verdictLine.show(this.verdict);
-    this.table.show(this.poles, this.page.theme);
+    this.table.show(this.poles, this.page.theme, this.words.poles);
     const words = this.locusWords;
     if (this.named !== running) {
       this.named = running;
       words.running.replaceChildren(...symbol(running));
     }
-    set(words.crossings, crossingWords(locus.crossings));
-    set(
-      words.margins,
-      marginWords(
-        margins(system, values, state.what),
-        Array.from(locus.present.x).every((x) => x < 0),
-      ),
-    );
+    const { crossings, margins: told, isStable } = this.words;
+    set(words.crossings, crossings(locus.crossings));
+    set(words.margins, told(margins(system, values, state.what), isStable(locus.present)));
     set(words.printed, printedWords(/** @type {any} */ (extra.printed), locus.present));
     const { path } = system.presets[state.shown.printed] ?? {};
     const sign = /** @type {Text} */ (this.signs.lastChild.lastChild);
     const meaning = ` printed in the report${path ? ` (${path})` : ''}`;
-    if (sign.data !== meaning) sign.data = meaning;
+    if (!system.given && sign.data !== meaning) sign.data = meaning;
     this.designs.forEach((design, i) => {
       press(design, state.isDesign(i));
     });
     this.loci.choose(state.shown.locus);
     this.inset.choose(state.magnify);
+    this.compensator.show();
+    this.requirements.show();
   }
 
   /** Words that may lag a little behind the pictures. */
   #later() {
     const { word, long, short } = this.verdict;
     this.plane.later(`${word.toLowerCase()}${long}`);
-    this.map.later(short);
+    if (this.system.maps.length) this.map.later(short);
     this.responses.later();
+    this.frequency.later();
     if (this.system.vehicle) this.mode.later();
     this.takeAway.later();
+    this.criteria.later();
   }
 }
 

@@ -1,8 +1,15 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
+import { systemAt } from '../maths/changed_vehicle.js';
+import { compensated } from '../maths/compensated.js';
+import { isOwnVehicle } from '../maths/vehicle_data.js';
+import { compensatorFrom } from '../page/compensator_text.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
+import { askedFrom } from '../page/requirement_text.js';
+import { deskText } from './desk_state.js';
 import { excitationsOf } from './excitations.js';
 import { shownFrom } from './shown_from_address.js';
 
+/** @import { Compensator } from '../maths/compensator.js' */
 /** @import { Camera, Model, System, Values, What } from '../types.d.ts' */
 /**
  * @typedef {object} Shown
@@ -14,7 +21,13 @@ import { shownFrom } from './shown_from_address.js';
  * @property {number} input the excitation of the responses, by its place
  * @property {number} duration s
  * @property {number} gust s
+ * @property {DeskState | null} desk how the desk is laid out; null while it is closed
+ * @property {number} cloud 1: with the poles of dispersed vehicles
+ * @property {string} compensator as in the address, empty for none
+ * @property {string} requirements as in the address, empty for none
+ * @property {string} frequency which picture of the frequency response
  */
+/** @import { DeskState } from './desk_state.js' */
 /** @typedef {{ key: string, text: string, what: What }} LocusChoice */
 
 /**
@@ -38,7 +51,7 @@ export class WorkbenchState extends ParameterState {
     super(model);
     /** @type {System} */
     const system = model.get('payload');
-    this.system = system;
+    this.base = system;
     this.loci = lociOf(system);
     this.inputs = excitationsOf(system);
     const fresh = system.presets.findIndex((preset) => holds(preset.values, system.initial));
@@ -49,6 +62,11 @@ export class WorkbenchState extends ParameterState {
       input: 0,
       duration: 5,
       gust: 2,
+      desk: null,
+      cloud: 0,
+      frequency: 'bode',
+      compensator: '',
+      requirements: '',
       locus: fresh < 0 ? this.loci[0].key : this.locusOf(fresh),
       printed: fresh,
       mode: system.poles.findIndex(
@@ -56,6 +74,26 @@ export class WorkbenchState extends ParameterState {
       ),
     };
     this.shown = { ...this.start };
+  }
+
+  /** The system around the vehicle of the parameters. @returns {System} */
+  get system() {
+    const { base } = this;
+    return base.plant ? systemAt(base, this.values) : base;
+  }
+
+  /** Is the vehicle under the loop the one that Python sent the system for? */
+  get isOwnVehicle() {
+    const { plant } = this.base;
+    return !plant || isOwnVehicle(plant, this.values);
+  }
+
+  /** The parameters without those of the vehicle that are as they were. @returns {Values} */
+  get told() {
+    const { plant } = this.base;
+    const names = this.own.map(({ name }) => name);
+    const told = names.filter((name) => !plant || plant.own[name] !== this.model.get(name));
+    return Object.fromEntries(told.map((name) => [name, this.model.get(name)]));
   }
 
   get watched() {
@@ -69,16 +107,52 @@ export class WorkbenchState extends ParameterState {
 
   /** @param {number} preset */
   locusOf(preset) {
-    return this.loci[this.system.presets[preset].locus ?? 0].key;
+    return this.loci[this.base.presets[preset].locus ?? 0].key;
   }
 
   get what() {
     return this.loci.find(({ key }) => key === this.shown.locus).what;
   }
 
+  /** Gains whose signal a compensator may go through: those of the loops. @returns {string[]} */
+  get places() {
+    if (this.base.loop) return []; // a loop that a reader gave is its own
+    const gains = this.loci
+      .map(({ what }) => what.running)
+      .filter((name) => this.system.running[name].magnitudes);
+    const own = this.system.loci.map((/** @type {What} */ { running }) => running);
+    return [...new Set(gains.filter((name) => own.includes(name)))].reverse();
+  }
+
+  /** The compensator that is chosen, null for none. */
+  get compensator() {
+    this.#read();
+    return this.kept.compensator;
+  }
+
+  /** What is asked of the loop. */
+  get asked() {
+    return askedFrom(this.shown.requirements) ?? {};
+  }
+
+  /** The system with the compensator in its loop. @returns {System} */
+  get inLoop() {
+    this.#read();
+    return this.kept.system;
+  }
+
+  #read() {
+    const text = this.shown.compensator;
+    const { kept, system: without } = this;
+    if (kept?.text === text && kept.without === without) return;
+    const compensator = (text && compensatorFrom(text, this.places)) || null;
+    /** @type {{ text: string, compensator: Compensator | null, without: System, system: System }} */
+    this.kept = { text, compensator, without, system: compensated(without, compensator) };
+  }
+
   /** The station that runs in the pole map. @returns {string} */
   get station() {
-    return this.system.maps[this.shown.map];
+    return this.base.maps[this.shown.map];
   }
 
   get response() {
@@ -92,10 +166,11 @@ export class WorkbenchState extends ParameterState {
    * @param {number} preset
    */
   isDesign(preset) {
-    const { printed } = this.shown;
+    const { printed, compensator } = this.shown;
+    if (compensator) return false;
     const { values } = this;
     /** @param {number} i */
-    const at = (i) => holds(this.system.presets[i].values, values);
+    const at = (i) => holds(this.base.presets[i].values, values);
     return preset >= 0 && at(preset) && (printed === preset || printed < 0 || !at(printed));
   }
 
@@ -126,20 +201,27 @@ export class WorkbenchState extends ParameterState {
     return grid[Math.min(Math.max(next + places - Math.sign(places), 0), grid.length - 1)];
   }
 
-  reset() {
-    this.shown = { ...this.start };
-    this.set({ ...this.system.initial, magnify: this.system.magnify ?? 1 });
+  /** The values of the parameters that are this view's own. @param {Values} values @returns {Values} */
+  #ownOf(values) {
+    return Object.fromEntries(this.own.map(({ name }) => [name, values[name]]));
   }
 
-  /** The window is no part of a step of the history. */
+  reset() {
+    this.shown = { ...this.start, desk: this.shown.desk };
+    this.set({ ...this.#ownOf(this.base.initial), magnify: this.base.magnify ?? 1 });
+  }
+
+  /** The window and the desk are no part of a step of the history. */
   snapshot() {
-    return JSON.stringify([this.values, { ...this.shown, camera: null }, this.magnify]);
+    /** @type {Shown} */
+    const shown = { ...this.shown, camera: null, desk: null };
+    return JSON.stringify([this.#ownOf(this.values), shown, this.magnify]);
   }
 
   /** @param {string} snapshot */
   restore(snapshot) {
     const [values, shown, magnify] = JSON.parse(snapshot);
-    this.shown = { ...shown, camera: this.shown.camera };
+    this.shown = { ...shown, camera: this.shown.camera, desk: this.shown.desk };
     this.set({ ...values, magnify });
   }
 
@@ -147,13 +229,15 @@ export class WorkbenchState extends ParameterState {
   toAddress() {
     const { values, shown, start } = this;
     /** @type {Values} */
-    const all = holds(this.system.initial, values) ? {} : { ...values };
+    const all = holds(this.#ownOf(this.base.initial), values) ? {} : { ...this.told };
     for (const name of /** @type {(keyof Shown)[]} */ (Object.keys(start)))
-      if (name !== 'camera' && shown[name] !== start[name]) all[`view.${name}`] = shown[name];
+      if (name !== 'camera' && name !== 'desk' && shown[name] !== start[name])
+        all[`view.${name}`] = shown[name];
+    if (shown.desk) all['view.desk'] = deskText(shown.desk);
     const { camera } = shown;
     if (camera)
       all['view.window'] = [camera.x, camera.y, camera.w].map((v) => Number(v.toPrecision(6))).join('_');
-    if (this.magnify !== (this.system.magnify ?? 1)) all['view.magnify'] = this.magnify;
+    if (this.magnify !== (this.base.magnify ?? 1)) all['view.magnify'] = this.magnify;
     return all;
   }
 

@@ -1,0 +1,32 @@
+// The call of the library and of python-control that gives the same closed loop with a compensator.
+import { KINDS } from '../maths/compensator.js';
+import { pythonOf } from './take_away.js';
+
+/** @import { Compensator } from '../maths/compensator.js' */
+/** @import { System, Values } from '../types.d.ts' */
+
+/** A polynomial as python-control takes it, highest power first. @param {ArrayLike<number>} c */
+const listOf = (c) => `[${Array.from(c).reverse().join(', ')}]`;
+
+/** @param {System} system @param {Values} values @param {Compensator | null} compensator in the loop */
+export function pythonWith(system, values, compensator) {
+  if (!compensator) return pythonOf(system, values);
+  const { place, gain, sections } = compensator;
+  const [before, call] = pythonOf(system, { ...values, [place]: null }).split('loop = ');
+  const closed = call.split('\n')[0].replace(`${place}=null`, `${place}=${place}`);
+  const factors = sections.map(({ kind, values: its }) => {
+    const { N, D } = KINDS[kind].ratio(its);
+    const told = `${KINDS[kind].text.toLowerCase()}: ${its.join(', ')}`;
+    return `C *= control.tf(${listOf(N)}, ${listOf(D)})  # ${told}`;
+  });
+  return [
+    'import control',
+    'from rlswaim.loops.cut_loop import cut_loop',
+    before.trimEnd(),
+    `L = cut_loop(lambda ${place}: ${closed}, ${values[place]})`,
+    `C = control.tf([${gain}], [1])`,
+    ...factors,
+    'loop = control.feedback(control.ss(C) * L)',
+    'loop.poles()\n',
+  ].join('\n');
+}

@@ -1,0 +1,49 @@
+// The state of a workbench for one's own loop: its text, its gain, and the system that the text gives.
+import { valuesFrom } from '../page/address_values.js';
+import { durationOf, systemOf } from './own_loop_system.js';
+import { WorkbenchState } from './workbench_state.js';
+
+/** @import { Model } from '../types.d.ts' */
+
+const ANY_GAIN = { name: 'k', grid: [-1e30, 0.5, 1e30] };
+const LONGEST = 20_000; // characters of a text
+
+export class OwnLoopState extends WorkbenchState {
+  /** @param {Model} model */
+  constructor(model) {
+    const payload = model.get('payload');
+    const system = systemOf(payload, model.get('loop'));
+    super(/** @type {Model} */ ({ get: (name) => (name === 'payload' ? system : model.get(name)) }));
+    this.model = model;
+    this.payload = payload;
+    this.read = model.get('loop');
+    this.wrong = '';
+    this.start.duration = durationOf(system.loop);
+    this.shown = { ...this.start };
+  }
+
+  /** Takes the text of the model; one that is no loop leaves the last one. */
+  update() {
+    const text = this.model.get('loop');
+    if (text === this.read) return;
+    this.read = text;
+    try {
+      const system = systemOf(this.payload, text);
+      this.base = system;
+      this.wrong = '';
+      Object.assign(this.shown, { camera: null, duration: durationOf(system.loop), locus: 'k' });
+    } catch (error) {
+      this.wrong = error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** @param {Record<string, string>} texts */
+  fromAddress(texts) {
+    const { loop, k, ...rest } = texts;
+    if (loop !== undefined) this.set({ loop: loop.slice(0, LONGEST) });
+    this.update();
+    const { values, notes } = valuesFrom([ANY_GAIN], k === undefined ? {} : { k });
+    this.set(values);
+    return [...notes, ...super.fromAddress(rest)];
+  }
+}

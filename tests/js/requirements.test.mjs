@@ -1,0 +1,85 @@
+// What is asked of a loop, whether it holds, and its text in an address.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { maths } from './maths.mjs';
+
+const { dampingOf, findings, overshootOf, regionOf } = await maths('requirements');
+const { askedFrom, foundWords, textOfAsked } = await import(
+  new URL('../../src/rlswaim/explorers/js/page/requirement_text.js', import.meta.url).href
+);
+
+const POLES = [
+  { re: -1, im: 2, name: 'mode 1' },
+  { re: -1, im: -2, name: 'mode 1' },
+  { re: -0.5, im: 0, name: 'drift' },
+];
+const MARGINS = {
+  gain: [
+    { dB: -8, omega: 1 },
+    { dB: 6.5, omega: 4 },
+  ],
+  phase: [{ degrees: -25, omega: 3 }],
+};
+const LOOP = { poles: POLES, margins: MARGINS, isStable: true };
+
+/** @param {string} kind @param {number} bound */
+const one = (kind, bound, loop = LOOP) => findings({ [kind]: bound }, loop)[0];
+
+test('damping and decay are the least of all poles, with its name', () => {
+  assert.deepEqual([one('zeta', 0.44).holds, one('zeta', 0.45).holds], [true, false]);
+  assert.equal(one('zeta', 0.4).name, 'mode 1');
+  assert.deepEqual([one('sigma', 0.5).holds, one('sigma', 0.51).holds], [true, false]);
+  assert.equal(one('sigma', 0.4).name, 'drift');
+});
+
+test('settling to 2 % follows from the slowest pole, overshoot from the least damped', () => {
+  assert.ok(Math.abs(one('settling', 9).found - Math.log(50) / 0.5) < 1e-12);
+  assert.deepEqual([one('settling', 7.9).holds, one('settling', 7.8).holds], [true, false]);
+  const percent = overshootOf(1 / Math.sqrt(5));
+  assert.ok(Math.abs(dampingOf(percent) - 1 / Math.sqrt(5)) < 1e-14);
+  assert.deepEqual(
+    [one('overshoot', percent + 0.1).holds, one('overshoot', percent - 0.1).holds],
+    [true, false],
+  );
+});
+
+test('margins count whichever way they lie, and only of a stable loop', () => {
+  assert.deepEqual([one('gain', 6.4).holds, one('gain', 6.6).holds], [true, false]);
+  assert.deepEqual([one('phase', 24).holds, one('phase', 26).holds], [true, false]);
+  assert.equal(one('gain', 1, { ...LOOP, isStable: false }).holds, false);
+  assert.match(foundWords(one('gain', 1, { ...LOOP, isStable: false })), /not stable/);
+  assert.equal(one('gain', 60, { ...LOOP, margins: { gain: [], phase: [] } }).holds, true);
+});
+
+test('what does not decay meets nothing', () => {
+  const growing = { ...LOOP, poles: [{ re: 0.1, im: 1, name: 'mode 1' }], isStable: false };
+  for (const [kind, bound] of Object.entries({ zeta: 0.001, sigma: 1e-4, settling: 1e4, overshoot: 99 }))
+    assert.equal(one(kind, bound, growing).holds, false, kind);
+});
+
+test('the region is that of the hardest bounds', () => {
+  const { sigma, zeta } = regionOf({ zeta: 0.1, sigma: 0.2, settling: 4, overshoot: 20 });
+  assert.equal(sigma, Math.log(50) / 4);
+  assert.equal(zeta, dampingOf(20));
+  assert.deepEqual(regionOf({}), { sigma: 0, zeta: 0 });
+});
+
+test('the text gives it back, and nonsense is none', () => {
+  const asked = { zeta: 0.1, settling: 20, phase: 30 };
+  assert.equal(textOfAsked(asked), 'zeta_0.1~settling_20~phase_30');
+  assert.deepEqual(askedFrom(textOfAsked(asked)), asked);
+  assert.deepEqual(askedFrom(''), {});
+  const bad = [
+    'zeta',
+    'zeta_',
+    'zeta_2',
+    'zeta_-1',
+    'zeta_NaN',
+    'x_1',
+    '__proto___1',
+    'zeta_.1~zeta_.2',
+    'toString_1',
+  ];
+  for (const text of [...bad, 'sigma_1e308', '~', 'zeta_0.1_2'])
+    assert.equal(askedFrom(text), undefined, text);
+});
