@@ -55,6 +55,14 @@ class TestAddress:
             page.get_by_role("button", name="Reset").click()
             page.wait_for_function("location.hash === '#single-sensor:K_z=2'")
 
+    def test_a_link_counts_though_the_view_writes_before_the_page_tells_of_it(self, page):
+        """What a view shows is written a moment after its drawing, perhaps just after a click on a link."""
+        page.evaluate(
+            "() => { location.hash = '#rate-attitude:K_A=4'; history.replaceState(null, '', location.pathname) }"
+        )
+        page.wait_for_function("state.K_A === 4", timeout=5000)
+        page.wait_for_function("location.hash.includes('K_A=4')", timeout=5000)
+
     def test_an_untouched_view_leaves_the_address(self, browser, explorer):
         with opened(browser, explorer, "about:blank#fig-8") as page:
             page.wait_for_timeout(300)

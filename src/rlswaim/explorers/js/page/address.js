@@ -61,9 +61,22 @@ export function readAddress(name, hash = inLab() ? '' : location.hash) {
 }
 
 /** Goes to an explorer if it is the first that the address names. @param {Element} el @param {string} name */
-export function goToAddressed(el, name) {
-  if (partsOf(location.hash).keys().next().value !== name) return;
+export function goToAddressed(el, name, hash = location.hash) {
+  if (partsOf(hash).keys().next().value !== name) return;
   (el.closest('.bench, .widget-vbox') ?? el).scrollIntoView({ block: 'start', behavior: 'instant' });
+}
+
+/**
+ * Tells of each new address of the page. The event brings the address: a view that writes its state between
+ * the click on a link and the event changes the page's own.
+ * @param {(hash: string) => void} act
+ * @returns {() => void} ends it
+ */
+export function onAddress(act) {
+  /** @param {HashChangeEvent} event */
+  const told = (event) => act(inLab() ? '' : new URL(event.newURL).hash);
+  addEventListener('hashchange', told);
+  return () => removeEventListener('hashchange', told);
 }
 
 /**

@@ -1,6 +1,6 @@
 // The life of a view on its page: when it is drawn, its theme and size, its undo, its part of the page's
 // address.
-import { goToAddressed, nameOf, readAddress, writeAddress } from './address.js';
+import { goToAddressed, nameOf, onAddress, readAddress, writeAddress } from './address.js';
 import { element, set } from './elements.js';
 import { Notice } from './notice.js';
 import { Redraw } from './redraw.js';
@@ -104,7 +104,6 @@ export class Lifecycle {
     const { el, view } = this;
     const { model, watched } = view.state;
     const changed = () => this.changed();
-    const address = () => this.#readAddress(true);
     for (const name of watched) model.on(`change:${name}`, changed);
     const resized = new ResizeObserver(() => this.#measure());
     for (const canvas of view.canvases) resized.observe(canvas);
@@ -113,7 +112,7 @@ export class Lifecycle {
       this.follow();
     });
     const unkey = onUndoKeys(el, this.history);
-    addEventListener('hashchange', address);
+    const unfollow = onAddress((hash) => this.#readAddress(true, hash));
     this.stop = () => {
       this.redraw.stop();
       this.history.stop();
@@ -124,7 +123,7 @@ export class Lifecycle {
       this.unkeySliders();
       this.unnameSliders();
       this.freeSliders();
-      removeEventListener('hashchange', address);
+      unfollow();
       for (const name of watched) model.off(`change:${name}`, changed);
       view.stop?.();
     };
@@ -206,14 +205,14 @@ export class Lifecycle {
     writeAddress(this.name, this.view.state.toAddress());
   }
 
-  /** @param {boolean} shows whether the page goes to the view that the address is about */
-  #readAddress(shows) {
-    const texts = readAddress(this.name);
+  /** @param {boolean} shows whether the page goes to the view that the address is about @param {string} [hash] */
+  #readAddress(shows, hash) {
+    const texts = readAddress(this.name, hash);
     if (Object.keys(texts).length === 0) return;
     const notes = this.view.state.fromAddress(texts);
     this.view.arrived?.(texts);
     this.notice.opened(notes);
     this.follow();
-    if (shows) goToAddressed(this.el, this.name);
+    if (shows) goToAddressed(this.el, this.name, hash);
   }
 }

@@ -2,7 +2,7 @@
 
 import { shapesAlong, valuesAtFeet } from '../maths/shapes.js';
 import { bentBy } from '../maths/vehicle_data.js';
-import { readAddress, writeAddress } from '../page/address.js';
+import { onAddress, readAddress, writeAddress } from '../page/address.js';
 import { element, panel, select } from '../page/elements.js';
 import { PageBench } from './page_bench.js';
 
@@ -64,8 +64,7 @@ export class BenchPanel {
     const title = 'Close the loop around this vehicle';
     this.panel = panel('bench', title, () => this.#toggled(), row, this.place);
     this.node = this.panel.node;
-    this.arrive = () => this.#arrive();
-    addEventListener('hashchange', this.arrive);
+    this.unfollowAddress = onAddress((hash) => this.#arrive(hash));
     this.#arrive();
   }
 
@@ -74,9 +73,11 @@ export class BenchPanel {
     return `${this.state.payload.system}-${system}`;
   }
 
-  /** An address that is about a bench opens it. */
-  #arrive() {
-    const named = Object.keys(SYSTEMS).find((name) => Object.keys(readAddress(this.#nameOf(name))).length);
+  /** An address that is about a bench opens it. @param {string} [hash] */
+  #arrive(hash) {
+    const named = Object.keys(SYSTEMS).find(
+      (name) => Object.keys(readAddress(this.#nameOf(name), hash)).length,
+    );
     if (!named) return;
     this.list.choose(named);
     this.node.open = true;
@@ -116,7 +117,7 @@ export class BenchPanel {
   }
 
   stop() {
-    removeEventListener('hashchange', this.arrive);
+    this.unfollowAddress();
     this.#leave();
   }
 }

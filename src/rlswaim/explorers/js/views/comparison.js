@@ -1,6 +1,6 @@
 // Two designs side by side, each on a workbench of its own with its sliders, both on the same scales. The
 // designs are chosen outside, by number.
-import { goToAddressed, readAddress, writeAddress } from '../page/address.js';
+import { goToAddressed, onAddress, readAddress, writeAddress } from '../page/address.js';
 import { leftOut } from '../page/address_values.js';
 import { element } from '../page/elements.js';
 import { isNewHere } from '../page/lifecycle.js';
@@ -68,8 +68,9 @@ export function render({ model, el }) {
     model.save_changes();
   };
   const notice = new Notice(() => choose(SIDES.map((key, i) => ({ key, at: start[i] }))));
-  const arrive = () => {
-    const texts = readAddress(NAME);
+  /** @param {string} [hash] */
+  const arrive = (hash) => {
+    const texts = readAddress(NAME, hash);
     if (Object.keys(texts).length === 0) return;
     const { designs, notes } = chosen(texts, model.get('payload').designs.length);
     choose(designs);
@@ -93,15 +94,14 @@ export function render({ model, el }) {
     show();
   };
   for (const key of SIDES) model.on(`change:${key}`, changed);
-  const followLink = () => {
-    arrive();
-    goToAddressed(el, NAME);
-  };
-  addEventListener('hashchange', followLink);
+  const unfollow = onAddress((hash) => {
+    arrive(hash);
+    goToAddressed(el, NAME, hash);
+  });
   return () => {
     laidOut.disconnect();
     for (const { bench } of sides) bench.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
-    removeEventListener('hashchange', followLink);
+    unfollow();
   };
 }
