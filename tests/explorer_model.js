@@ -27,12 +27,16 @@ async ([code, css, state]) => {
   document.head.append(Object.assign(document.createElement('style'), { textContent: css }));
   const el = document.createElement('div');
   document.body.append(el);
+  /** The next drawing; one that never comes fails a test and doesn't hold it up. */
   const drawn = () =>
-    new Promise((done) =>
-      el.addEventListener('rlswaim:drawn', (e) => done(/** @type {CustomEvent} */ (e).detail), {
-        once: true,
-      }),
-    );
+    new Promise((done, fail) => {
+      const late = setTimeout(() => fail(new Error('nothing was drawn in 30 s')), 30000);
+      const act = (/** @type {Event} */ e) => {
+        clearTimeout(late);
+        done(/** @type {CustomEvent} */ (e).detail);
+      };
+      el.addEventListener('rlswaim:drawn', act, { once: true });
+    });
   Object.assign(globalThis, { module, model, drawn, el, state });
   const first = drawn();
   module.default.initialize({ model });
