@@ -4,6 +4,8 @@
 PORT ?= 8000
 PYTHONS := python3.13 python3.12 python3.11 python3.14 python3
 UV := uv==0.13.9
+SPHINX := sphinx myst-nb sphinx-book-theme sphinx-external-toc sphinx-design sphinx-copybutton sphinx-comments \
+  sphinx-togglebutton sphinx-multitoc-numbering sphinx-mathjax-offline sphinxcontrib-bibtex
 
 BIN := .venv/bin
 INSTALLED := .venv/.installed
@@ -31,7 +33,7 @@ PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -na
 FRAME := _config.yml _toc.yml CITATION.cff $(wildcard book/*.bib book/extensions/*.py book/extensions/*.js book/extensions/*.css) $(shell find book/widgets/dist -type f 2>/dev/null)
 LIBRARY := $(shell find src/rlswaim -type f -not -name '*.pyc') $(wildcard book/*.py)
 
-.PHONY: help installed packages ready serve book lab pdf test fuzz bench searches designs test-oldest test-newest lint scripts notebooks lock clean
+.PHONY: help installed packages ready serve book lab pdf test fuzz bench searches designs test-oldest test-newest newest-sphinx lint scripts notebooks lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
@@ -93,6 +95,18 @@ test-oldest: ## check everything with the oldest versions that pyproject.toml al
 test-newest: ## check everything with the newest versions there are, in .newest
 	$(call elsewhere,.newest,--upgrade --refresh)
 
+# Jupyter Book 1 keeps Sphinx at an old version.  Its settings, without its own extension, serve a newer one too.
+newest-sphinx: book ## build the same pages with the newest Sphinx, MyST-NB and theme, in .newest-sphinx, warnings being errors
+	rm -rf .newest-sphinx && mkdir .newest-sphinx
+	git ls-files -z --cached --others --exclude-standard | xargs -0 tar -cf - | tar -xf - -C .newest-sphinx
+	$(BIN)/python -m venv --without-pip .newest-sphinx/.venv
+	$(BIN)/python -m pip --python .newest-sphinx/.venv/bin/python install --quiet --disable-pip-version-check . $(SPHINX)
+	$(BIN)/jupyter-book config sphinx .newest-sphinx >/dev/null
+	sed -i.bak "s/'jupyter_book', //" .newest-sphinx/conf.py
+	cd .newest-sphinx && PYTHONPATH=book/extensions .venv/bin/python -m sphinx -W -n --keep-going -q \
+	  -D nb_execution_cache_path=$(CURDIR)/_build/.jupyter_cache . _build/html
+	.newest-sphinx/.venv/bin/python -m sphinx --version
+
 # The whole project again in a folder of its own, with a lock of its own.
 define elsewhere
 	rm -rf $(1) && mkdir $(1)
@@ -131,7 +145,7 @@ lock: installed ## write requirements.txt anew, from the ranges in pyproject.tom
 	  --custom-compile-command "make lock" --output-file requirements.txt pyproject.toml
 
 clean: ## remove .venv, node_modules, _build and all caches
-	rm -rf .venv node_modules .oldest .newest _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
+	rm -rf .venv node_modules .oldest .newest .newest-sphinx _build .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
 
 # The library or the installed packages changed: every page runs again.
 _build/.library: $(LIBRARY) $(INSTALLED)
