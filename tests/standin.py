@@ -62,9 +62,10 @@ def opened(
 
 
 def show(page: Page, **values: object) -> None:
-    """Set values of the model and wait for the drawing; they must differ from the present ones."""
+    """Set values of the model and wait for the drawing; nothing is drawn where they are the present ones."""
     page.evaluate(
         """async (values) => {
+             if (Object.entries(values).every(([name, value]) => model.get(name) === value)) return;
              const done = drawn();
              for (const [name, value] of Object.entries(values)) model.set(name, value);
              await done;

@@ -114,7 +114,6 @@ def test_the_gallery(page, case):
 def test_link_and_python_give_the_loop_again(browser, page, name):
     text = loop_text(LOOPS[name])
     type_in(page, text)
-    show(page, k=0.987654321)
     show(page, k=0.123456789)
     page.wait_for_timeout(400)
     names: dict = {}
