@@ -31,6 +31,16 @@ settings.register_profile("search", parent=settings.get_profile("ci"), derandomi
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Run a test with a browser once more if it fails, as a busy machine may be late: what fails twice fails.
+
+    The summary of a run names each test that ran twice.
+    """
+    for item in items:
+        if {"browser", "other"} & set(getattr(item, "fixturenames", ())):
+            item.add_marker(pytest.mark.flaky(reruns=1))
+
+
 class Visit(NamedTuple):
     """A page, and all that went wrong or outside while it was open."""
 
