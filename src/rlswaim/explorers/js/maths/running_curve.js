@@ -70,6 +70,18 @@ function runningGain(system, state, what) {
   };
 }
 
+/** @param {number} a @param {number} b */
+const halfway = (a, b) => (a + b) / 2;
+
+/**
+ * A whole foot where one lies between: shapes are straight between two feet and bend at them.
+ * @param {number} a @param {number} b
+ */
+function footBetween(a, b) {
+  const foot = Math.round((a + b) / 2);
+  return (foot - a) * (b - foot) > 0 ? foot : halfway(a, b);
+}
+
 /**
  * @param {System} system
  * @param {State} state
@@ -91,7 +103,7 @@ export function runningStation(system, state, station) {
       for (const f of free) shape[f] = along(system.shapes[f].values, t);
       fill(table, shape, c);
     },
-    middle: (a, b) => (a + b) / 2,
+    middle: ofVehicle ? halfway : footBetween,
   };
   const t = state[station];
   const count = Math.floor((ends[1] - ends[0]) / step) || 0;
