@@ -79,9 +79,11 @@ class TestResponses:
         ):
             wanted = response_of(loop, stimulus, times)
             assert set(js) == set(VIEWS[section].system.outputs)
+            rounding = 1e-11 * stimulus["amplitude"]  # of modes that cancel where a motion has hardly begun
             for name, values in js.items():
                 largest = abs(wanted[name]).max()
-                assert abs(np.array(values) - wanted[name]).max() <= 1e-6 * largest, (state, stimulus, name)
+                off = abs(np.array(values) - wanted[name]).max()
+                assert off <= max(1e-6 * largest, rounding), (state, stimulus, name)
 
     def test_start_at_the_initial_condition(self, page, section):
         stimulus = {"input": "q1(0)", "kind": "initial", "amplitude": 2.0, "duration": 1.0}

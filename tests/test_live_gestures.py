@@ -56,8 +56,9 @@ def test_a_pole_is_dragged_and_the_slider_follows_and_undo_takes_it_back(fresh):
     found.root.locator("canvas[data-plane=locus]").scroll_into_view_if_needed()
     at = handles(found)
     here = found.view.parameters[found.numbers().index(name)].nearest(start)
-    ahead = [v for v in grid[here + 8 :] if abs(v) > abs(start) / 10][::8]  # small ones lie within a pixel
-    far, wanted, to = farthest(found, name, ahead, at)
+    beside = [*grid[here + 8 :: 8], *grid[here - 8 : 0 : -8]]
+    worth = [v for v in beside if abs(v) > abs(start) / 10]  # small ones lie within a pixel
+    far, wanted, to = farthest(found, name, worth, at)
     found.moved(name, [start], "table.poles")
     page.wait_for_timeout(500)
     pole = int(far.argmax())

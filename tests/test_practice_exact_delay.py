@@ -38,8 +38,13 @@ def test_each_root_solves_the_loop_s_own_equation(section, gains):
     for s in near[near.real > -5]:
         smallest = np.linalg.svd(s * np.eye(len(A)) - A - np.exp(-s * T) * B, compute_uv=False)[-1]
         assert smallest < 1e-9 * (1 + abs(s))
-    pade = stored()[exact.RUNG, section].abscissa
-    assert value == pytest.approx(pade, abs=1e-5)  # IV ends on a double root: half the digits
+    # Where IV is best, three roots nearly meet: floats fix a third of their digits.
+    assert value == pytest.approx(stored()[exact.RUNG, section].abscissa, abs=1e-4)
+
+
+def test_roots_are_near_those_with_pade():
+    """A Pade approximation of order n is off by some (s T)^(2 n + 1)."""
+    assert 0 < exact.farthest_from_pade() < 1e-6
 
 
 @pytest.mark.parametrize("seconds", [0.02, 0.1, 0.25, 0.5])
@@ -76,7 +81,7 @@ def test_cells():
     assert list(row) == list(judged.CONCLUSIONS)
     for name, cell in row.items():
         assert cell.verdict == pade[name].verdict
-        assert cell.number == pytest.approx(pade[name].number, abs=1e-5)
+        assert cell.number == pytest.approx(pade[name].number, abs=1e-4)
 
 
 def test_bad_delay():

@@ -287,7 +287,7 @@ def _judged(eqs: PerturbationEquations, found: Found) -> dict[str, str]:
     slow = slow_roots(poles[None])[0]
     return {
         "largest real part (1/s)": f"{found.abscissa:.4f}",
-        "from determinants (1/s)": f"{second:.4f}",
+        "from determinants (1/s)": f"{round(second, 3) + 0:.3f}",  # no more is sure where roots nearly meet
         "evolution alone found (1/s)": f"{found.evolution:.4f}",
         "adaptation alone found (1/s)": f"{found.adaptation:.4f}",
         **_by_descents(found),

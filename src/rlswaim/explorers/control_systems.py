@@ -91,7 +91,7 @@ def loop_payload(view: View, eqs: PerturbationEquations) -> dict[str, Any]:
         "running": {
             **{n: {"magnitudes": [a, z], "signed": signed} for n, (a, z, signed) in view.gains.items()},
             **{
-                station: {"ends": [FEET[0], FEET[-1]], "step": 10, "unit": "ft"}
+                station: {"ends": [FEET[0], FEET[-1]], "step": 5, "unit": "ft"}
                 for station in view.system.stations
             },
         },

@@ -27,6 +27,9 @@ POINTS = 40
 LARGEST = 20.0
 """Size of the roots, times the delay, up to which that polynomial serves."""
 
+BESIDE = 0.01
+"""Real parts that differ by less count as beside each other (1/s)."""
+
 
 def parted(closed: control.StateSpace) -> tuple[NDArray, NDArray]:
     """Return a closed loop's matrix without what the effectors do to the vehicle, and that alone.
@@ -137,6 +140,26 @@ def rightmost(step: Step, structure: str, gains: dict[str, float]) -> tuple[floa
     value = float(abscissas(roots[None], apart=True)[0])
     line = value - 0.01
     return value, roots_right_of(A, B, step.rung.delay, line) - int((roots.real > line).sum())
+
+
+def farthest_from_pade() -> float:
+    """Return how far the rightmost roots with the exact delay are from those with Pade's at most (1/s).
+
+    Where the best gains let roots nearly meet, as in IV, floats fix few digits of each, and all of their
+    mean: the means of the roots beside the rightmost one are compared.
+    """
+    step, found = ladder_steps()[RUNG], stored()
+    prompt = Step(step.eqs, Rung(**{**vars(step.rung), "delay": 0.0}))
+    off = []
+    for section, structure in STRUCTURES.items():
+        gains = found[RUNG, section].gains
+        exact = delayed_roots(*parted(structure.closed_loop(prompt, **gains)), step.rung.delay)
+        means = [
+            roots[np.abs(roots.real - found[RUNG, section].abscissa) < BESIDE].real.mean()
+            for roots in (exact, structure.closed_loop(step, **gains).poles())
+        ]
+        off.append(abs(means[0] - means[1]))
+    return float(max(off))
 
 
 @cache

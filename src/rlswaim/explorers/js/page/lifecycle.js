@@ -132,11 +132,15 @@ export class Lifecycle {
   #measure() {
     if (!this.arrived && this.el.isConnected) {
       this.arrived = true;
-      this.#takeSliders();
-      this.#readAddress(isNewHere());
-      this.history.begin();
+      requestAnimationFrame(() => this.#arrive()); // it changes the layout, which is just being measured
     }
     if (this.view.canvases.map((canvas) => this.#resized(canvas)).some(Boolean)) this.follow();
+  }
+
+  #arrive() {
+    this.#takeSliders();
+    this.#readAddress(isNewHere());
+    this.history.begin();
   }
 
   #takeSliders() {
@@ -205,7 +209,10 @@ export class Lifecycle {
     writeAddress(this.name, this.view.state.toAddress());
   }
 
-  /** @param {boolean} shows whether the page goes to the view that the address is about @param {string} [hash] */
+  /**
+   * @param {boolean} shows whether the page goes to the view that the address is about
+   * @param {string} [hash] the address if it is not the page's
+   */
   #readAddress(shows, hash) {
     const texts = readAddress(this.name, hash);
     if (Object.keys(texts).length === 0) return;
