@@ -5,7 +5,7 @@ PORT ?= 8000
 PYTHONS := python3.13 python3.12 python3.11 python3.14 python3
 UV := uv==0.13.9
 SPHINX := sphinx myst-nb sphinx-book-theme sphinx-external-toc sphinx-design sphinx-copybutton sphinx-comments \
-  sphinx-togglebutton sphinx-multitoc-numbering sphinx-mathjax-offline sphinxcontrib-bibtex
+  sphinx-togglebutton sphinx-multitoc-numbering sphinx-mathjax-offline sphinxcontrib-bibtex itables
 
 BIN := .venv/bin
 INSTALLED := .venv/.installed
