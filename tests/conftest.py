@@ -19,7 +19,8 @@ from standin import opened
 from workbench_page import EQUATIONS, VIEWS
 
 ROOT = Path(__file__).parent.parent
-HTML = ROOT / "_build" / "html"
+HTML = Path(os.environ.get("HTML", ROOT / "_build" / "html"))
+"""The built book, or one that was built in another way."""
 
 MATHJAX = "() => !document.querySelector('script[src*=mathjax i]') || window.MathJax?.startup?.promise"
 """MathJax has started, where a page has it: its script comes late, after its settings."""
