@@ -58,7 +58,10 @@ class TestAddress:
     def test_a_link_counts_though_the_view_writes_before_the_page_tells_of_it(self, page):
         """What a view shows is written a moment after its drawing, perhaps just after a click on a link."""
         page.evaluate(
-            "() => { location.hash = '#rate-attitude:K_A=4'; history.replaceState(null, '', location.pathname) }"
+            """() => {
+                location.hash = '#rate-attitude:K_A=4'
+                history.replaceState(null, '', location.pathname)
+            }"""
         )
         page.wait_for_function("state.K_A === 4", timeout=5000)
         page.wait_for_function("location.hash.includes('K_A=4')", timeout=5000)
