@@ -205,7 +205,10 @@ export class Lifecycle {
     writeAddress(this.name, this.view.state.toAddress());
   }
 
-  /** @param {boolean} shows whether the page goes to the view that the address is about @param {string} [hash] */
+  /**
+   * @param {boolean} shows whether the page goes to the view that the address is about
+   * @param {string} [hash]
+   */
   #readAddress(shows, hash) {
     const texts = readAddress(this.name, hash);
     if (Object.keys(texts).length === 0) return;

@@ -1,6 +1,7 @@
 // What a root locus shows beside its poles, in words: crossings, margins, the roots that the report prints.
 import { nearestRoot } from '../drawing/nearest.js';
 import { nearestFirst } from '../maths/one_margin.js';
+import { element, set, symbol } from './elements.js';
 import { complex, number, signed } from './numbers.js';
 
 /** @import { Crossing, Roots } from '../types.d.ts' */
@@ -57,4 +58,26 @@ export function printedWords(printed, present) {
   return far.length
     ? `${count}of which ${far.length} more than a plot’s reading off: ${far.join('; ')}.`
     : `${count}all within a plot’s reading of the roots here.`;
+}
+
+/** The line of a view that says so, after the name of what runs. */
+export class LocusLine {
+  constructor() {
+    this.running = '';
+    this.name = element('span');
+    this.words = [element('span'), element('span'), element('span')];
+    const spaced = this.words.flatMap((word, i) => (i ? [' ', word] : [word]));
+    this.node = element('p', { class: 'crossings' }, this.name, ...spaced);
+  }
+
+  /** @param {string} running @param {[crossings: string, margins: string, printed: string]} texts */
+  show(running, texts) {
+    if (this.running !== running) {
+      this.running = running;
+      this.name.replaceChildren(...symbol(running));
+    }
+    this.words.forEach((word, i) => {
+      set(word, texts[i]);
+    });
+  }
 }
