@@ -11,7 +11,7 @@ from rlswaim.edition.slow_roots import abscissas
 from rlswaim.practice.blocks import delay, gain, low_pass
 from rlswaim.practice.complementary import complementary
 from rlswaim.practice.ladder import Rung, reads_the_whole, vehicle_on
-from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
+from rlswaim.practice.ladder_search import SEARCHED, modest_gains, stored
 from rlswaim.practice.limits import Limits, limits
 from rlswaim.practice.measurements import angle
 from rlswaim.practice.rungs import Step, ladder_steps
@@ -66,7 +66,7 @@ def angle_limits(step: Step) -> Limits:
 def as_found(step: Step) -> float:
     """Return the largest real part (1/s), a slow real root apart, of Section VII's modest loop as it is."""
     gains = {name: value for name, value in modest_gains().items() if name not in ("sensor", "jet")}
-    return float(abscissas(STRUCTURES["VII"].closed_loop(step, **gains).poles()[None], apart=True)[0])
+    return float(abscissas(SEARCHED["VII"].closed_loop(step, **gains).poles()[None], apart=True)[0])
 
 
 def diverges(rung: str) -> Cell:

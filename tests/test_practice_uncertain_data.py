@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rlswaim.practice import structured as s
+from rlswaim.practice import uncertain_data as s
 from rlswaim.practice.designs import designs
 from rlswaim.practice.dispersed import drawn, factor_names, factors_at
 from rlswaim.practice.monte_carlo import spreads

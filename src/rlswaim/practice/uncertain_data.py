@@ -1,6 +1,6 @@
 """How far all data of a vehicle may be off at once: bounds of the structured singular value.
 
-``python -m rlswaim.practice.structured`` prints ``data/structured.csv``.
+``python -m rlswaim.practice.uncertain_data`` prints ``data/uncertain_data.csv``.
 
 Each factor of ``data/dispersions.csv`` is nominal at d_i = 0 and at its ends at d_i = -1 and 1.  To the first
 order the closed loop is A + sum d_i E_i F_i, with thin E_i and F_i.  On the line s = a + j omega, a being the
@@ -215,9 +215,9 @@ def bounds(design: Design) -> Bounds:
 
 
 def stored() -> dict[str, Bounds]:
-    """Return the stored table ``data/structured.csv`` by design."""
+    """Return the stored table ``data/uncertain_data.csv`` by design."""
     rows: dict[str, list[tuple[str, float, float]]] = {}
-    for row in read_table("structured"):
+    for row in read_table("uncertain_data"):
         rows.setdefault(row["design"], []).append((row["quantity"], number(row["at"]), number(row["value"])))
     found = {}
     for name, all_ in rows.items():
@@ -233,7 +233,7 @@ def stored() -> dict[str, Bounds]:
 
 
 def main() -> None:
-    """Print the table ``data/structured.csv``."""
+    """Print the table ``data/uncertain_data.csv``."""
     print("design,quantity,at,value")
     for name, design in designs().items():
         if name not in JUDGED:
