@@ -86,8 +86,8 @@ designs: installed ## search the gains of fixed structures and draw 2,000 vehicl
 	mv _build/synthesis.csv src/rlswaim/source/data/synthesis.csv
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.monte_carlo > _build/monte_carlo.csv
 	mv _build/monte_carlo.csv src/rlswaim/source/data/monte_carlo.csv
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.structured > _build/structured.csv
-	mv _build/structured.csv src/rlswaim/source/data/structured.csv
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.uncertain_data > _build/uncertain_data.csv
+	mv _build/uncertain_data.csv src/rlswaim/source/data/uncertain_data.csv
 
 test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest
 	$(call elsewhere,.oldest,--resolution lowest-direct)

@@ -5,9 +5,9 @@ import pytest
 
 import rlswaim as rl
 from rlswaim.edition import search
+from rlswaim.edition.abscissa_slopes import costs_and_slopes
 from rlswaim.edition.descent import descended
 from rlswaim.edition.pole_factors import settled
-from rlswaim.edition.slopes import costs_and_slopes
 from rlswaim.loops.closed_loops import LOOPS
 
 EQS = rl.printed_equations()

@@ -63,7 +63,7 @@ def test_braces_of_eq_133_give_both_numerators(sensor, jet):
 
 
 def test_eq_135_is_the_numerator_of_alpha():
-    printed = printed_closures.printed_factors("eq135-")
+    printed = matching.printed_roots("VII", "eq135-").values()
     wanted = [0.0, *printed, *(z.conjugate() for z in printed if z.imag)]
     assert worst(roots(closures.jet_numerator(EQS, LOOP, as_printed=True)[:7]), wanted) < 0.005
     assert roots(closures.jet_numerator(EQS, LOOP)).size == len(wanted) - 1
@@ -82,7 +82,7 @@ def test_jet_moment_has_two_digits_exchanged():
 
 
 def test_fitted_reading_brings_the_printed_roots():
-    printed = printed_closures.printed_factors("text-closure1-")
+    printed = matching.printed_roots("VII", "text-closure1-").values()
     wanted = [0.0, *printed, *(z.conjugate() for z in printed if z.imag)]
     fitted = printed_closures.fitted_deflections(EQS, LOOP, KK_Z)
     vehicle = with_reading(EQS, LOOP.sensor, fitted)
@@ -97,7 +97,7 @@ def test_closure_2_contains_delta_and_the_printed_one_does_not():
     closed = npp.polyadd(opened.num[0][0][::-1], opened.den[0][0][::-1])
     size = npp.polyval(np.abs(delta), np.abs(closed))
     assert np.all(np.abs(npp.polyval(delta, closed)) <= 1e-10 * np.maximum(size, 1))
-    printed = np.array(printed_closures.printed_factors("text-closure2-"))
+    printed = np.array(list(matching.printed_roots("VII", "text-closure2-").values()))
     assert np.abs(printed[:, None] - delta[delta != 0]).min(axis=0).min() > 0.02
 
 

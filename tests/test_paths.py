@@ -163,7 +163,7 @@ def test_closure_2_both_ways():
     pair = corrected_loops.closure_2_loops(EQS)
     report, corrected = (at(loop, 1) for loop in pair.values())
     assert min(report.real) == pytest.approx(-1.115e7, rel=1e-3)
-    printed = printed_closures.printed_factors("text-closure2-")
+    printed = printed_roots("VII", "text-closure2-").values()
     assert contains(report, [r for r in printed if abs(r) > 0.1], 0.12)
     assert min(corrected.real) == pytest.approx(-397, abs=0.5)
     assert max(corrected.real) == pytest.approx(390, abs=0.5)
@@ -277,7 +277,8 @@ def test_far_locus_shows_every_root():
         fig, ax = plt.subplots()
         loop = corrected_loops.closure_2_loops(EQS)["report"]
         locus = root_locus(loop, np.concatenate([[0.0], np.geomspace(1e-12, 1, 60)]))
-        draw_far_locus(ax, locus, locus.roots[-1], printed_closures.printed_factors("text-closure2-"))
+        printed = list(printed_roots("VII", "text-closure2-").values())
+        draw_far_locus(ax, locus, locus.roots[-1], printed)
         closed = next(line for line in ax.lines if line.get_label() == "closed loop, computed")
         assert min(closed.get_xdata()) == pytest.approx(-1.115e7, rel=1e-3)
         assert ax.get_xlim()[0] < min(closed.get_xdata())

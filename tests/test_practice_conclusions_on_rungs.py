@@ -23,7 +23,7 @@ STEPS, STORED = ladder_steps(), search.stored()
 def test_each_winner_closes_its_loop_as_stored(pair):
     rung, section = pair
     best = STORED[pair]
-    structure = search.STRUCTURES[section]
+    structure = search.SEARCHED[section]
     poles = structure.closed_loop(STEPS[rung], **best.gains).poles()
     assert abscissas(poles[None], True)[0] == pytest.approx(best.abscissa, rel=1e-4, abs=1e-5)
     problem = search.OnARung(STEPS[rung], structure)
@@ -34,7 +34,7 @@ def test_each_winner_closes_its_loop_as_stored(pair):
 
 
 def test_every_rung_and_section_is_stored():
-    assert set(STORED) == {(rung, section) for rung in STEPS for section in search.STRUCTURES}
+    assert set(STORED) == {(rung, section) for rung in STEPS for section in search.SEARCHED}
     assert min(best.evaluations for best in STORED.values()) > 10_000
 
 

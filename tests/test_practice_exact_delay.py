@@ -8,17 +8,17 @@ from scipy.special import lambertw
 from rlswaim.practice import conclusions_on_rungs as judged
 from rlswaim.practice import exact_delay as exact
 from rlswaim.practice.ladder import Rung, dual_actuation_on
-from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
+from rlswaim.practice.ladder_search import SEARCHED, modest_gains, stored
 from rlswaim.practice.margins import margins
 from rlswaim.practice.rungs import Step, ladder_steps
 
 STEP = ladder_steps()[exact.RUNG]
 T = STEP.rung.delay
-SECTIONS = [(s, stored()[exact.RUNG, s].gains) for s in STRUCTURES]
+SECTIONS = [(s, stored()[exact.RUNG, s].gains) for s in SEARCHED]
 
 
 def test_parts_add_up_and_the_late_one_goes_from_effectors_to_the_vehicle():
-    loop = STRUCTURES["VII"].closed_loop(Step(STEP.eqs, Rung()), **SECTIONS[3][1])
+    loop = SEARCHED["VII"].closed_loop(Step(STEP.eqs, Rung()), **SECTIONS[3][1])
     A, B = exact.parted(loop)
     assert np.allclose(A + B, loop.A)
     assert np.linalg.matrix_rank(B) == 2
@@ -28,12 +28,12 @@ def test_parts_add_up_and_the_late_one_goes_from_effectors_to_the_vehicle():
         assert abs(column @ force) == pytest.approx(np.linalg.norm(column) * np.linalg.norm(force))
 
 
-@pytest.mark.parametrize(("section", "gains"), SECTIONS, ids=list(STRUCTURES))
+@pytest.mark.parametrize(("section", "gains"), SECTIONS, ids=list(SEARCHED))
 def test_each_root_solves_the_loop_s_own_equation(section, gains):
     """None is missed, and the largest real part is near that with Pade's approximation."""
     value, missed = exact.rightmost(STEP, section, gains)
     assert missed == 0
-    A, B = exact.parted(STRUCTURES[section].closed_loop(Step(STEP.eqs, Rung()), **gains))
+    A, B = exact.parted(SEARCHED[section].closed_loop(Step(STEP.eqs, Rung()), **gains))
     near = exact.delayed_roots(A, B, T)
     for s in near[near.real > -5]:
         smallest = np.linalg.svd(s * np.eye(len(A)) - A - np.exp(-s * T) * B, compute_uv=False)[-1]

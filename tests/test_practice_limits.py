@@ -48,10 +48,10 @@ def test_zeros_and_bound_are_those_of_cramers_rule(gyro):
 
 
 def test_map_over_the_stations():
-    found = [one.peak for one in m.gyro_limits(EQS, [60.0, 135.0, 420.0])]
+    found = [one.peak for one in m.limits_along(EQS, "gyro", [60.0, 135.0, 420.0])]
     assert found == pytest.approx([22.2667, 1697.09, 3.17049], rel=1e-5)
-    assert [one.stable_controller for one in m.gyro_limits(EQS, [133.0, 134.0])] == [True, False]
-    (sensor,) = m.sensor_limits(EQS, [140.0])
+    assert [one.stable_controller for one in m.limits_along(EQS, "gyro", [133.0, 134.0])] == [True, False]
+    (sensor,) = m.limits_along(EQS, "linear sensor", [140.0])
     assert sensor.peak == pytest.approx(83.16, abs=0.01)
 
 

@@ -6,7 +6,7 @@ import pytest
 from scipy.linalg import solve_continuous_are
 
 from rlswaim.practice import designs, dispersed, monte_carlo, optimal, structures
-from rlswaim.practice.bounded import h_infinity
+from rlswaim.practice.h_infinity import h_infinity
 from rlswaim.practice.hardware import Hardware, closed_loop
 from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.practice.margins import frequency_response

@@ -101,7 +101,7 @@ def test_cross_dampings_contradict_each_other():
 
 def test_printed_roots_of_closure_1_break_the_sum_rule():
     """A loop with two more poles than zeros keeps the sum of its roots when it is closed."""
-    found = printed_closures.printed_factors("text-closure1-")
+    found = matching.printed_roots("VII", "text-closure1-").values()
     loop, kK_z = printed_closures.final_design()
     kept = roots(closures.closure_1_polynomial(EQS, loop, kK_z)).sum().real
     rounding = sum(2 * half_unit(ENTRIES[f"text-closure1-{c}-re"].printed) for c in ("c1", "c2"))
@@ -249,6 +249,6 @@ def test_rough_numbers_in_reasons():
     assert of("fig16-K_A") / ENTRIES["fig16-K_A"].value == pytest.approx(4, rel=0.02)
     aero = of("eq38-F1_q1") - 1 - 12.26e6 / 621915 * 0.05  # omega_1^2 and the thrust taken away
     assert 100 * (0.312 - of("eq38-F1_q1")) / aero == pytest.approx(0.16, abs=0.005)
-    found = [abs(z) for z in printed_closures.printed_factors("text-closure1-") if z.imag]
+    found = [abs(z) for z in matching.printed_roots("VII", "text-closure1-").values() if z.imag]
     own = sorted(abs(z) for z in roots(EQS.characteristic_polynomial()) if z.imag > 0.5)
     assert min(found) / max(own) > 10  # so that no other pairing of the roots falls short of ten

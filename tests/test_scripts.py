@@ -1,5 +1,6 @@
 """What holds for the scripts: style, types, bounds, the unit tests, and that the built ones are current."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -11,6 +12,8 @@ PACKAGES = ROOT / "node_modules" / ".installed"
 SCRIPTS = [
     *(ROOT / "src" / "rlswaim" / "explorers").glob("[cj]s*/**/*.*s"),
     *(ROOT / "book" / "widgets").glob("*.*s"),
+    *(ROOT / "book" / "extensions").glob("*.*s"),
+    *(ROOT / "tests").glob("**/*.*js"),
     *ROOT.glob("*.mjs"),
 ]
 
@@ -46,6 +49,46 @@ def test_types():
 def test_built_scripts_are_those_of_their_sources():
     """Built anew, they are the same bytes."""
     run("build.mjs", "--check")
+
+
+def test_files_are_short():
+    """All lines count, as in Python; biome leaves some out."""
+    lengths = {path.name: len(path.read_text(encoding="utf-8").splitlines()) for path in SCRIPTS}
+    assert {name: length for name, length in lengths.items() if length > 300} == {}
+
+
+HEAD = re.compile(
+    r"( *)(?!.*\b(?:if|for|while|switch|catch)\b \().*"
+    r"(?:=> \{|\bfunction\b.* \{|(?:static |get |set |async )*\*?#?\w+\(.*\) \{)$"
+)
+"""The first line of a function with a body, as the formatter leaves it."""
+DOC = re.compile(r"\s*(/\*\*|\*|$)")
+"""A line of documentation, or a blank one."""
+
+
+def functions(text):
+    """Return the lines of each function without JSDoc, by the number of its first: to the brace below it."""
+    lines = text.splitlines()
+    found = {}
+    for first, line in enumerate(lines):
+        if head := HEAD.match(line):
+            rest = range(first + 1, len(lines))
+            last = next(n for n in rest if lines[n].startswith(f"{head[1]}}}"))
+            found[first + 1] = sum(not DOC.match(each) for each in lines[first : last + 1])
+    return found
+
+
+def test_functions_are_short():
+    """Counted as in Python: biome leaves out some lines."""
+    assert functions("const f = (a) => {\n  if (a) {\n    a();\n  }\n\n  a();\n};\n") == {1: 6}
+    lengths = {
+        f"{path.relative_to(ROOT)}:{first}": length
+        for path in SCRIPTS
+        if path.suffix in (".js", ".mjs")
+        for first, length in functions(path.read_text(encoding="utf-8")).items()
+    }
+    assert len(lengths) > 1000
+    assert {name: length for name, length in lengths.items() if length > 40} == {}
 
 
 def test_lines_are_short():

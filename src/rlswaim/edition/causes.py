@@ -10,9 +10,8 @@ import numpy as np
 from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
-from rlswaim.edition import section_7
-from rlswaim.edition.matching import printed_roots
-from rlswaim.edition.printed_closures import final_design, printed_closure_3, printed_factors
+from rlswaim.edition.matching import printed_roots, roots_beside
+from rlswaim.edition.printed_closures import final_design, printed_closure_3
 from rlswaim.edition.section_4 import closed_loop_roots
 from rlswaim.edition.section_5 import quartic
 from rlswaim.loops import closures
@@ -100,14 +99,14 @@ def _readings(eqs: PerturbationEquations) -> dict[str, float]:
     read = with_reading(eqs, loop.sensor, read_off()[39])
     top = sum(rounded(p * f, 3) for p, f in zip(read_off()[39], drive, strict=True))
     gain = -kK_z * loop.K_r * eqs.jet["Z"] * top / printed("IV")["eq92-gain"]
-    zeros = section_7.paired("eq136-zero-", _eq136_zeros(read, loop))
+    zeros = roots_beside("VII", "eq136-zero-", _eq136_zeros(read, loop))
     names = ("gain", "zero-r5", "zero-r6", "zero-c2-re", "zero-c2-im")
     found = {f"eq136-{name}": ({"eq136-gain": gain} | zeros)[f"eq136-{name}"] for name in names}
     return found | {"eq108-gain": sums[140], "eq115-gain": sums[300]}
 
 
 def _eq136_zeros(eqs: PerturbationEquations, loop: closures.JetLoop) -> NDArray:
-    before = printed_factors("eq135-")
+    before = printed_roots("VII", "eq135-").values()
     elastic = roots(elastic_numerator(eqs, loop.sensor, "delta", loop.jet)[:6])
     return np.array([-loop.b, *before, *elastic[1:]])
 
@@ -150,15 +149,15 @@ def _section_7(eqs: PerturbationEquations) -> dict[str, float]:
     return {
         **{f"eq133-s{power}-1-F1": float(value) for power, value in enumerate(less)},
         "eq135-gain": alpha[6],
-        **section_7.paired("eq135-", roots(alpha[:7])[1:]),
-        **section_7.paired("text-closure1-", roots(printed_closed_1(eqs))[1:]),
+        **roots_beside("VII", "eq135-", roots(alpha[:7])[1:]),
+        **roots_beside("VII", "text-closure1-", roots(printed_closed_1(eqs))[1:]),
         **_counts(loop),
     }
 
 
 def _counts(loop: closures.JetLoop) -> dict[str, float]:
     """Return the numbers of roots that the text states, counted in Eq. 137 as printed."""
-    poles = np.array(printed_factors("eq137-pole-"))
+    poles = np.array(list(printed_roots("VII", "eq137-pole-").values()))
     real = poles[poles.imag == 0]
     opened = printed_closure_3(*(printed("VII", "fig25-")[name] for name in ("K_C", "K_R")))
     closed = roots(closed_polynomial(opened, 1e-6))

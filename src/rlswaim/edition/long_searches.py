@@ -15,11 +15,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rlswaim.edition.abscissa_slopes import costs_and_slopes
 from rlswaim.edition.adaptation import adapted
 from rlswaim.edition.descent import descended
 from rlswaim.edition.pole_factors import settled
 from rlswaim.edition.search import OBJECTIVES, Found, Problem, bounds, evolution, search, searches
-from rlswaim.edition.slopes import costs_and_slopes
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.loops.closed_loops import LOOPS, state_space
 from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial

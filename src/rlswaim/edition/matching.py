@@ -2,7 +2,8 @@
 
 An id ends in the kind of number: ``-root`` (a real root), ``-re`` and ``-im``
 (a complex one), ``-2zw`` and ``-w2`` (s^2 + 2 zeta omega s + omega^2), or
-``-omega`` and ``-zeta``.  What stands before names the root.
+``-omega`` and ``-zeta``.  What stands before names the root.  Section VII numbers
+its real roots, ``-r1``, ``-r2`` and so on; such an id is the root's whole name.
 """
 
 import re
@@ -46,6 +47,14 @@ def choices(section: str) -> dict[str, float]:
     return {name: number for name, number in printed(section).items() if name in chosen}
 
 
+def _name_and_kind(id_: str) -> tuple[str, str]:
+    """Return the name of the root that a row is of, and the kind of its number; "" is the kind of no root."""
+    name, _, end = id_.rpartition("-")
+    if re.fullmatch(r"r\d+", end):
+        return id_, "root"
+    return (name, end) if end in KINDS else (id_, "")
+
+
 def _root(kinds: dict[str, float]) -> complex:
     """Return the root (1/s) behind its printed numbers; of a pair, the one above the real axis."""
     if "root" in kinds:
@@ -68,8 +77,8 @@ def printed_roots(section: str, start: str) -> dict[str, complex]:
     """
     groups: dict[str, dict[str, float]] = defaultdict(dict)
     for id_, value in printed(section).items():
-        name, _, kind = id_.rpartition("-")
-        if id_.startswith(start) and kind in KINDS:
+        name, kind = _name_and_kind(id_)
+        if id_.startswith(start) and kind:
             groups[name][kind] = value
     return {name: _root(kinds) for name, kinds in groups.items()}
 
@@ -90,14 +99,15 @@ def roots_beside(section: str, start: str, computed: NDArray) -> dict[str, float
     Returns
     -------
     dict of str to float
+        By id; a printed root without one of ours is not among them.
     """
     ours = np.asarray(computed, dtype=complex)
     ours = ours[ours.imag >= 0]
     theirs = printed_roots(section, start)
     rows, columns = linear_sum_assignment(np.abs(np.array(list(theirs.values()))[:, None] - ours))
     pairs = dict(zip(np.array(list(theirs))[rows], ours[columns], strict=True))
-    ids = [id_ for id_ in printed(section) if id_.rpartition("-")[0] in pairs]
-    return {i: float(KINDS[i.rpartition("-")[2]](pairs[i.rpartition("-")[0]])) for i in ids}
+    parts = {id_: _name_and_kind(id_) for id_ in printed(section)}
+    return {i: float(KINDS[kind](pairs[name])) for i, (name, kind) in parts.items() if name in pairs}
 
 
 def listed(values: Iterable[complex], digits: int = 3) -> str:
@@ -125,13 +135,13 @@ def as_printed(section: str, *starts: str) -> str:
     ----------
     section : str
     *starts : str
-        How the ids of their rows begin; those of Section VII end in r1, c1-re and so on.
+        How the ids of their rows begin.
     """
     groups: dict[str, dict[str, str]] = defaultdict(dict)
     for row in printed_rows(section):
-        kind = next((kind for kind in KINDS if row["id"].endswith(f"-{kind}")), "")
-        if row["id"].startswith(starts) and (kind or re.search(r"r\d+$", row["id"])):
-            groups[row["id"].removesuffix(f"-{kind}")][kind or "root"] = row["printed"].replace("-", "−")
+        name, kind = _name_and_kind(row["id"])
+        if row["id"].startswith(starts) and kind:
+            groups[name][kind] = row["printed"].replace("-", "−")
     return ", ".join(_as_text(kinds) for kinds in groups.values())
 
 

@@ -4,6 +4,7 @@ import control
 import numpy as np
 from numpy.polynomial import polynomial as npp
 
+from rlswaim.edition.matching import printed_roots
 from rlswaim.loops.closures import JetLoop
 from rlswaim.loops.factors import from_factors
 from rlswaim.source import checks
@@ -17,19 +18,9 @@ def final_design() -> tuple[JetLoop, float]:
     return JetLoop(*(chosen[name] for name in ("K_r", "b", "sensor", "jet"))), chosen["kK_z"]
 
 
-def printed_factors(start: str) -> list[complex]:
-    """Return printed roots (1/s): ids ``<start>r1`` real, ``<start>c1-re`` and ``<start>c1-im`` complex."""
-    number = printed("VII", start)
-    real = [complex(value) for name, value in number.items() if name[0] == "r"]
-    pairs = [
-        complex(v, number[name.replace("-re", "-im")]) for name, v in number.items() if name.endswith("-re")
-    ]
-    return real + pairs
-
-
 def printed_closure_2() -> control.TransferFunction:
     """Return Eq. 136 from its printed factors."""
-    zeros, poles = printed_factors("eq136-zero-"), printed_factors("eq136-pole-")
+    zeros, poles = (printed_roots("VII", f"eq136-{part}-").values() for part in ("zero", "pole"))
     return from_factors(printed("VII", "eq136-")["gain"], [*zeros, 0.0, 0.0], [*poles, 0.0])
 
 
@@ -41,7 +32,7 @@ def printed_closure_3(K_C: float, K_R: float) -> control.TransferFunction:
     K_C, K_R : float
         Actuator (1/s) and rate gyro (s) gains.
     """
-    zeros, poles = printed_factors("eq137-zero-"), printed_factors("eq137-pole-")
+    zeros, poles = (printed_roots("VII", f"eq137-{part}-").values() for part in ("zero", "pole"))
     gain = printed("VII", "eq137-")["gain"] * K_C * K_R
     return from_factors(gain, [*zeros, 0.0, -1 / K_R], [*poles, -K_C, 0.0, 0.0])
 
@@ -63,7 +54,7 @@ def fitted_deflections(eqs: PerturbationEquations, loop: JetLoop, kK_z: float) -
     -------
     tuple of float
     """
-    p = printed_factors("text-closure1-")
+    p = printed_roots("VII", "text-closure1-").values()
     wanted = npp.polyfromroots([0.0, *p, *(z.conjugate() for z in p if z.imag)]).real[1:7]
     base = npp.polymul(loop.valve, eqs.characteristic_polynomial())[1:7]
     numerators = [eqs.numerator(q, "delta_r", loop.jet)[:6] for q in ("q1", "q2")]

@@ -1,50 +1,16 @@
 """Section VII: the reaction jet, its three closures and Table 3 [Eqs. 120-137]."""
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
 from rlswaim.edition import table_3
-from rlswaim.edition.matching import as_written, choices, printed_roots
-from rlswaim.edition.printed_closures import final_design, printed_closure_2, printed_factors
+from rlswaim.edition.matching import as_written, choices, printed_roots, roots_beside
+from rlswaim.edition.printed_closures import final_design, printed_closure_2
 from rlswaim.loops import closures
 from rlswaim.loops.transfer_functions import closed_polynomial, elastic_numerator
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.source.tables import printed
 from rlswaim.vehicle.booster import swaim_booster
 from rlswaim.vehicle.equations import ROWS, PerturbationEquations, perturbation_equations, printed_equations
-
-
-def paired(start: str, found: NDArray) -> dict[str, float]:
-    """Return for each printed root, by id, the computed one that pairs with it (least total distance).
-
-    Parameters
-    ----------
-    start : str
-        Of the ids: ``r1`` and so on follow for real roots, ``c1-re`` and ``c1-im`` for pairs.
-    found : ndarray of complex
-        Computed roots (1/s); one of each conjugate pair is enough.
-
-    Returns
-    -------
-    dict
-        Empty places, where roots are fewer than printed, hold nan.
-    """
-    number = {name: value for name, value in printed("VII", start).items() if name[0] in "rc"}
-    names = [name for name in number if not name.endswith("-im")]
-    wanted = np.array([complex(number[n], number.get(f"{n.removesuffix('-re')}-im", 0.0)) for n in names])
-    found = np.asarray(found)[np.imag(found) >= 0]
-    cost = np.abs(np.arcsinh(wanted.real)[:, None] - np.arcsinh(found.real)) + np.abs(
-        np.arcsinh(wanted.imag)[:, None] - np.arcsinh(found.imag)
-    )
-    cost = np.sqrt(cost)  # so that a root in its place counts for more than two halfway there
-    cost += 100 * ((wanted.imag > 0)[:, None] != (found.imag > 0))
-    numbers = {f"{start}{name}": float("nan") for name in number}
-    for i, j in zip(*linear_sum_assignment(cost), strict=True):
-        numbers[f"{start}{names[i]}"] = float(found[j].real)
-        if names[i].endswith("-re"):
-            numbers[f"{start}{names[i].replace('-re', '-im')}"] = float(found[j].imag)
-    return numbers
 
 
 def _determinants(eqs: PerturbationEquations) -> dict[str, float]:
@@ -71,27 +37,28 @@ def _closures(eqs: PerturbationEquations) -> dict[str, float]:
     opened = closures.closure_2_open_loop(eqs, loop, kK_z, as_printed=True)
     gain = opened.num[0][0][0] / opened.den[0][0][0]
     closed = roots(closed_polynomial(printed_2))
-    before = [printed_factors(start) for start in ("eq135-", "text-closure1-", "text-closure2-")]
+    starts = ("eq135-", "text-closure1-", "text-closure2-")
+    before = [list(printed_roots("VII", start).values()) for start in starts]
     elastic = roots(elastic_numerator(eqs, loop.sensor, "delta", loop.jet)[:6])
     theta, delta = roots(eqs.numerator("theta", "delta")), roots(eqs.characteristic_polynomial())
     return {
         "eq135-gain": wanted[5],
-        **paired("eq135-", roots(wanted[:6])),
-        **paired("text-closure1-", roots(closures.closure_1_polynomial(eqs, loop, kK_z))[1:]),
+        **roots_beside("VII", "eq135-", roots(wanted[:6])),
+        **roots_beside("VII", "text-closure1-", roots(closures.closure_1_polynomial(eqs, loop, kK_z))[1:]),
         "eq136-gain": gain,
-        **paired("eq136-zero-", np.array([-loop.b, *before[0], *elastic[1:]])),
-        **paired("eq136-pole-", np.array([*theta, *before[1]])),
-        **paired("text-closure2-", closed),
+        **roots_beside("VII", "eq136-zero-", np.array([-loop.b, *before[0], *elastic[1:]])),
+        **roots_beside("VII", "eq136-pole-", np.array([*theta, *before[1]])),
+        **roots_beside("VII", "text-closure2-", closed),
         "eq137-gain": eqs.numerator("theta", "delta")[5],
-        **paired("eq137-zero-", np.array(before[2])),
-        **paired("eq137-pole-", np.array([*delta[1:], *before[1]])),
+        **roots_beside("VII", "eq137-zero-", np.array(before[2])),
+        **roots_beside("VII", "eq137-pole-", np.array([*delta[1:], *before[1]])),
     }
 
 
 def factors_as_printed() -> tuple[float, float]:
     """Return the printed frequencies of closure 1 over those without the jet [Eq. 92], smaller ones first."""
     alone = sorted(abs(pole) for pole in printed_roots("IV", "eq92-p").values() if pole.imag)
-    closed = sorted(abs(root) for root in printed_factors("text-closure1-") if root.imag)
+    closed = sorted(abs(root) for root in printed_roots("VII", "text-closure1-").values() if root.imag)
     first, second = (after / before for before, after in zip(alone, closed, strict=True))
     return first, second
 

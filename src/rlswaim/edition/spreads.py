@@ -1,4 +1,4 @@
-"""How the searches spread a parameter over the unit interval, by its row of ``data/search_bounds.csv``."""
+"""How the searches spread a parameter over the unit interval, by its row of a table of bounds."""
 
 from collections.abc import Mapping
 
@@ -12,7 +12,7 @@ def spread(row: Mapping[str, str], u: NDArray) -> NDArray:
     Parameters
     ----------
     row : mapping of str to str
-        The parameter's row of ``data/search_bounds.csv``.
+        The parameter's row, of ``data/search_bounds.csv`` for instance.
     u : ndarray
         Places between the lower bound, 0, and the upper one, 1.
     """
@@ -30,7 +30,7 @@ def place(row: Mapping[str, str], value: float) -> float:
     Parameters
     ----------
     row : mapping of str to str
-        The parameter's row of ``data/search_bounds.csv``.
+        The parameter's row, of ``data/search_bounds.csv`` for instance.
     value : float
     """
     low, high, spread = float(row["low"]), float(row["high"]), row["spread"]

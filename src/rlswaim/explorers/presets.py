@@ -5,7 +5,6 @@ from typing import Any
 
 from rlswaim.edition.designs import designs, found_gains
 from rlswaim.edition.matching import printed_roots
-from rlswaim.edition.printed_closures import printed_factors
 from rlswaim.edition.search import winners
 from rlswaim.explorers.parameter import Value
 from rlswaim.loops.factors import as_text
@@ -71,7 +70,7 @@ def _printed(section: str, start: str) -> list[dict[str, Any]]:
     """Return printed roots (1/s), of a pair the upper one, as a preset tells them."""
     if not start:
         return []
-    roots = printed_factors(start) if section == "VII" else printed_roots(section, start).values()
+    roots = printed_roots(section, start).values()
     return [{"re": r.real, "im": r.imag, "text": as_text([r])} for r in roots]
 
 

@@ -68,6 +68,47 @@ def second_order(zeros: Sequence[float], poles: Sequence[float], **names: Any) -
     return control.ss(A, [[0.0], [1.0]], [C], [[b2 / a2]], **names)
 
 
+def low_pass(omega: float, zeta: float, **names: Any) -> control.StateSpace:
+    """Return w^2/(s^2 + 2 zeta w s + w^2): a low-pass, or the motion of an actuator or of a gyro.
+
+    Parameters
+    ----------
+    omega : float
+        Its corner w (rad/s); 0 leaves a wire.
+    zeta : float
+        Its damping ratio (1).
+    **names
+        As in `gain`.
+
+    Returns
+    -------
+    control.StateSpace
+    """
+    if not omega:
+        return gain(1.0, **names)
+    return second_order([omega**2], [1.0, 2 * zeta * omega, omega**2], **names)
+
+
+def notch(omega: float, zeta_zeros: float, zeta_poles: float, **names: Any) -> control.StateSpace:
+    """Return (s^2 + 2 zeta_zeros w s + w^2)/(s^2 + 2 zeta_poles w s + w^2).
+
+    Parameters
+    ----------
+    omega : float
+        Its frequency w (rad/s), above 0.
+    zeta_zeros, zeta_poles : float
+        Damping ratios (1).
+    **names
+        As in `gain`.
+
+    Returns
+    -------
+    control.StateSpace
+    """
+    zeros, poles = ([1.0, 2 * zeta * omega, omega**2] for zeta in (zeta_zeros, zeta_poles))
+    return second_order(zeros, poles, **names)
+
+
 def delay(seconds: float, order: int, **names: Any) -> control.StateSpace:
     """Return Pade's approximation of a delay; its error is all phase.
 

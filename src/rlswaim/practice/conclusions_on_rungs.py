@@ -8,10 +8,10 @@ import control
 import pandas as pd
 
 from rlswaim.edition.slow_roots import abscissas
-from rlswaim.practice.blocks import delay, gain, second_order
+from rlswaim.practice.blocks import delay, gain, low_pass
 from rlswaim.practice.complementary import complementary
 from rlswaim.practice.ladder import Rung, reads_the_whole, vehicle_on
-from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
+from rlswaim.practice.ladder_search import SEARCHED, modest_gains, stored
 from rlswaim.practice.limits import Limits, limits
 from rlswaim.practice.measurements import angle
 from rlswaim.practice.rungs import Step, ladder_steps
@@ -38,10 +38,8 @@ def unstable_root(step: Step) -> float:
 def _actuation(rung: Rung) -> control.StateSpace:
     """Return what a rung has between command and angle: actuator, delay, gyro and low-pass."""
     c = constants("ladder")
-    chain = [gain(1.0)]
-    for omega, zeta in ((rung.actuator, "actuator"), (rung.gyro, "gyro"), (rung.low_pass, "filter")):
-        if omega:
-            chain.append(second_order([omega**2], [1.0, 2 * c[f"{zeta}_zeta"] * omega, omega**2]))
+    parts = {"actuator": rung.actuator, "gyro": rung.gyro, "filter": rung.low_pass}
+    chain = [low_pass(omega, c[f"{name}_zeta"]) for name, omega in parts.items()]
     if rung.delay:
         chain.append(delay(rung.delay, int(c["pade_order"])))
     return control.ss(control.series(*chain))
@@ -68,7 +66,7 @@ def angle_limits(step: Step) -> Limits:
 def as_found(step: Step) -> float:
     """Return the largest real part (1/s), a slow real root apart, of Section VII's modest loop as it is."""
     gains = {name: value for name, value in modest_gains().items() if name not in ("sensor", "jet")}
-    return float(abscissas(STRUCTURES["VII"].closed_loop(step, **gains).poles()[None], apart=True)[0])
+    return float(abscissas(SEARCHED["VII"].closed_loop(step, **gains).poles()[None], apart=True)[0])
 
 
 def diverges(rung: str) -> Cell:

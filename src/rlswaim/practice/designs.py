@@ -13,9 +13,9 @@ import control
 
 from rlswaim.edition.designs import found_gains
 from rlswaim.edition.search import searches
-from rlswaim.practice.bounded import h_infinity
 from rlswaim.practice.criteria import Criterion, evaluate
 from rlswaim.practice.dispersed import consistent_booster, with_gravity
+from rlswaim.practice.h_infinity import h_infinity
 from rlswaim.practice.hardware import closed_loop, plant
 from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.practice.ladder import Rung, dual_actuation_on

@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rlswaim.source import checks
 from rlswaim.source.tables import number, read_table
@@ -65,10 +66,9 @@ def dispersed(booster: Booster, factors: Mapping[str, float]) -> Booster:
     ValueError
         If a name is unknown, or the booster that would come out is none.
     """
-    known = [row["factor"] for row in read_table("dispersions")]
     for name in factors:
-        checks.one_of("factor", name, known, "dispersed")
-    f = dict.fromkeys(known, 1.0) | dict(factors)
+        checks.one_of("factor", name, factor_names(), "dispersed")
+    f = dict.fromkeys(factor_names(), 1.0) | dict(factors)
     modes = tuple(
         replace(
             mode,
@@ -91,6 +91,26 @@ def dispersed(booster: Booster, factors: Mapping[str, float]) -> Booster:
     )
 
 
+def factor_names() -> tuple[str, ...]:
+    """Return the names of all factors, in the order of ``data/dispersions.csv``."""
+    return tuple(row["factor"] for row in read_table("dispersions"))
+
+
+def factors_at(d: NDArray) -> dict[str, float]:
+    """Return the factors of a vehicle by name.
+
+    Parameters
+    ----------
+    d : ndarray, shape (factors,)
+        1 and -1 are the ends of each spread; larger values go on beyond.
+    """
+    found = {}
+    for row, x in zip(read_table("dispersions"), d, strict=True):
+        spread = number(row["spread"])
+        found[row["factor"]] = float(spread**x if row["kind"] == "log" else 1 + spread * x)
+    return found
+
+
 def drawn(index: int, seed: int = SEED) -> dict[str, float]:
     """Return the factors of one draw.
 
@@ -107,10 +127,4 @@ def drawn(index: int, seed: int = SEED) -> dict[str, float]:
         Even between 1 - spread and 1 + spread, or in the logarithm between 1/spread and spread.
     """
     rng = np.random.default_rng([seed, index])
-    found = {}
-    for row, u in zip(
-        read_table("dispersions"), rng.uniform(-1, 1, len(read_table("dispersions"))), strict=True
-    ):
-        spread = number(row["spread"])
-        found[row["factor"]] = float(spread**u if row["kind"] == "log" else 1 + spread * u)
-    return found
+    return factors_at(rng.uniform(-1, 1, len(factor_names())))

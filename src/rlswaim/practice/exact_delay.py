@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.practice.conclusions_on_rungs import CONCLUSIONS, Cell, unstable_root
 from rlswaim.practice.ladder import Rung
-from rlswaim.practice.ladder_search import STRUCTURES, modest_gains, stored
+from rlswaim.practice.ladder_search import SEARCHED, modest_gains, stored
 from rlswaim.practice.limits import limits
 from rlswaim.practice.measurements import attitude
 from rlswaim.practice.rungs import Step, ladder_steps
@@ -118,15 +118,15 @@ def roots_right_of(A: NDArray, B: NDArray, T: float, line: float, points: int = 
     return round((len(A) * corner - turned) / (2 * np.pi))
 
 
-def rightmost(step: Step, structure: str, gains: dict[str, float]) -> tuple[float, int]:
-    """Return the largest real part (1/s), a slow real root apart, of a structure with the exact delay.
+def rightmost(step: Step, section: str, gains: dict[str, float]) -> tuple[float, int]:
+    """Return the largest real part (1/s), a slow real root apart, of a section's loop with the exact delay.
 
     Parameters
     ----------
     step : Step
         Its rung has a delay.
-    structure : str
-        One of `ladder_search.STRUCTURES`.
+    section : str
+        One of `ladder_search.SEARCHED`.
     gains : dict of str to float
 
     Returns
@@ -135,7 +135,7 @@ def rightmost(step: Step, structure: str, gains: dict[str, float]) -> tuple[floa
         The real part; and how many roots right of a line left of all those counted were missed (0).
     """
     prompt = Rung(**{**vars(step.rung), "delay": 0.0})
-    A, B = parted(STRUCTURES[structure].closed_loop(Step(step.eqs, prompt), **gains))
+    A, B = parted(SEARCHED[section].closed_loop(Step(step.eqs, prompt), **gains))
     roots = delayed_roots(A, B, step.rung.delay)
     value = float(abscissas(roots[None], apart=True)[0])
     line = value - 0.01
@@ -151,12 +151,12 @@ def farthest_from_pade() -> float:
     step, found = ladder_steps()[RUNG], stored()
     prompt = Step(step.eqs, Rung(**{**vars(step.rung), "delay": 0.0}))
     off = []
-    for section, structure in STRUCTURES.items():
+    for section, searched in SEARCHED.items():
         gains = found[RUNG, section].gains
-        exact = delayed_roots(*parted(structure.closed_loop(prompt, **gains)), step.rung.delay)
+        exact = delayed_roots(*parted(searched.closed_loop(prompt, **gains)), step.rung.delay)
         means = [
             roots[np.abs(roots.real - found[RUNG, section].abscissa) < BESIDE].real.mean()
-            for roots in (exact, structure.closed_loop(step, **gains).poles())
+            for roots in (exact, searched.closed_loop(step, **gains).poles())
         ]
         off.append(abs(means[0] - means[1]))
     return float(max(off))

@@ -28,7 +28,7 @@ import control
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.practice.blocks import delay, gain, second_order
+from rlswaim.practice.blocks import delay, gain, notch, second_order
 from rlswaim.source import checks
 from rlswaim.source.tables import constants
 
@@ -101,17 +101,16 @@ def _feedback(
     return loop_gain * np.array([[row[state] for state in states]])
 
 
-def _engine(actuator: bool, notch: bool) -> list[control.StateSpace]:
+def _engine(actuator: bool, notched: bool) -> list[control.StateSpace]:
     """Return the blocks of W from signal "command" to signal "delta"; the notch keeps the nominal omega."""
     c = constants("greensite")
-    w, blocks = c["omega"], []
+    blocks = []
     if actuator:
         bandwidth = c["omega_tvc"]
         blocks.append(second_order([bandwidth**2], [1.0, c["damping_tvc"], bandwidth**2]))
         blocks.append(delay(c["delay"], int(c["pade_order"])))
-    if notch:
-        zeros, poles = ([1.0, 2 * c[f"zeta_notch_{kind}"] * w, w**2] for kind in ("zeros", "poles"))
-        blocks.append(second_order(zeros, poles))
+    if notched:
+        blocks.append(notch(c["omega"], c["zeta_notch_zeros"], c["zeta_notch_poles"]))
     return blocks or [gain(1.0)]
 
 

@@ -10,7 +10,7 @@ from functools import cache, lru_cache
 import control
 import numpy as np
 
-from rlswaim.practice.blocks import delay, gain, second_order
+from rlswaim.practice.blocks import delay, gain, low_pass
 from rlswaim.practice.instruments import GYRO, Instrument, reading
 from rlswaim.source import checks
 from rlswaim.source.tables import constants
@@ -54,15 +54,10 @@ def real_hardware() -> Hardware:
 
 
 @cache
-def _low_pass(omega: float, zeta: float) -> control.StateSpace:
-    return second_order([omega**2], [1.0, 2 * zeta * omega, omega**2]) if omega else gain(1.0)
-
-
-@cache
 def _effector(hardware: Hardware, omega: float) -> control.StateSpace:
     """Return the way from a command to what follows it, with an actuator of a frequency (rad/s; 0: none)."""
     late = delay(hardware.delay, int(hardware.pade_order)) if hardware.delay else gain(1.0)
-    return control.series(late, _low_pass(omega, hardware.actuator_zeta))
+    return control.series(late, low_pass(omega, hardware.actuator_zeta))
 
 
 @lru_cache(maxsize=16)
@@ -101,7 +96,7 @@ def plant(
     inner = control.ss(vehicle.A, vehicle.B[:, kept], C, D)
     effectors = [_effector(made, made.actuator_omega), _effector(made, 0.0)][:m]
     before = control.append(gain(1.0), *effectors)
-    gyro = _low_pass(made.gyro_omega, made.gyro_zeta)
+    gyro = low_pass(made.gyro_omega, made.gyro_zeta)
     after = [gyro if one.kind in GYRO else gain(1.0) for one in instruments]
     whole = control.append(gain(np.eye(n + m)), *after) * inner * before
     return control.ss(

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import control
 import numpy as np
 
-from rlswaim.practice.blocks import delay, first_order, gain, second_order
+from rlswaim.practice.blocks import delay, first_order, gain, low_pass, notch, second_order
 from rlswaim.practice.complementary import complementary
 from rlswaim.practice.measurements import angle
 from rlswaim.source import checks
@@ -100,22 +100,10 @@ def vehicle_on(eqs: PerturbationEquations, rung: Rung, jet: float = JET_STATION)
     return control.ss(A, B, C, D, name="vehicle", inputs=vehicle.input_labels, outputs=names)
 
 
-def _low_pass(omega: float) -> control.StateSpace:
-    """Return a second-order low-pass with a corner (rad/s), or a wire if the corner is 0."""
-    if not omega:
-        return gain(1.0)
-    return second_order([omega**2], [1.0, 2 * constants("ladder")["filter_zeta"] * omega, omega**2])
-
-
 def _notches(eqs: PerturbationEquations, rung: Rung) -> list[control.StateSpace]:
     """Return a notch at each mode's own frequency; none if the rung has none."""
     zeta = constants("ladder")["notch_zeta_zeros"]
-    return [
-        second_order(
-            [1.0, 2 * zeta * mode.omega, mode.omega**2], [1.0, 2 * rung.notch * mode.omega, mode.omega**2]
-        )
-        for mode in (eqs.modes if rung.notch else ())
-    ]
+    return [notch(mode.omega, zeta, rung.notch) for mode in (eqs.modes if rung.notch else ())]
 
 
 def reads_the_whole(rung: Rung) -> bool:
@@ -131,9 +119,9 @@ def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | N
     read = [gain([list(row.values())], name="gyro", inputs=list(row), outputs="theta_i")]
     if rung.blend and where is not None:
         read = complementary(eqs, rung.blend, K_R, where)
-    zeta, w = constants("ladder")["gyro_zeta"], rung.gyro
-    own = second_order([w**2], [1.0, 2 * zeta * w, w**2]) if w else gain(1.0)
-    chain = control.series(own, _low_pass(rung.low_pass), *_notches(eqs, rung))
+    c = constants("ladder")
+    own, cut = low_pass(rung.gyro, c["gyro_zeta"]), low_pass(rung.low_pass, c["filter_zeta"])
+    chain = control.series(own, cut, *_notches(eqs, rung))
     return [
         *read,
         control.ss(chain, name="gyro's filters", inputs="theta_i", outputs="theta_F"),
@@ -143,10 +131,7 @@ def _gyro(eqs: PerturbationEquations, rung: Rung, K_R: float, station: float | N
 def _engine(rung: Rung, K_A: float, K_C: float) -> control.StateSpace:
     """Return the block from the engine's command to delta."""
     c = constants("ladder")
-    chain = [first_order([K_A * K_C], [1.0, K_C])]
-    if rung.actuator:
-        square = [1.0, 2 * c["actuator_zeta"] * rung.actuator, rung.actuator**2]
-        chain.append(second_order([rung.actuator**2], square))
+    chain = [first_order([K_A * K_C], [1.0, K_C]), low_pass(rung.actuator, c["actuator_zeta"])]
     if rung.delay:
         chain.append(delay(rung.delay, int(c["pade_order"])))
     return control.ss(control.series(gain(1.0), *chain), name="engine", inputs="command", outputs="delta")

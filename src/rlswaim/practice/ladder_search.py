@@ -24,7 +24,7 @@ ROUNDING = 1e-9
 """Largest deviation from a multi-affine form that is rounding in a family of closed loops."""
 
 
-class Structure(NamedTuple):
+class SearchedLoop(NamedTuple):
     """A control system with its stations: the rows of its bounds, its factors, and its closed loop."""
 
     system: str
@@ -55,28 +55,28 @@ def _jet(step: Step, **gains: float) -> control.StateSpace:
     return dual_actuation_on(step.eqs, step.rung, **gains, **at).closed
 
 
-STRUCTURES = {
-    "IV": Structure("rate_attitude", (("K_A", "K_C"), ("K_R",)), _attitude),
-    "V": Structure("single_sensor", (("K_C",), ("K_A", "K_R"), ("K_z",)), _one_sensor),
-    "VI": Structure("two_sensor", (("K_C",), ("K_A", "K_R"), ("K_za",), ("K_zb",)), _two_sensors),
-    "VII": Structure("modest_jet", (("K_A", "K_C"), ("K_R",), ("kK_z", "b"), ("K_r",)), _jet),
+SEARCHED = {
+    "IV": SearchedLoop("rate_attitude", (("K_A", "K_C"), ("K_R",)), _attitude),
+    "V": SearchedLoop("single_sensor", (("K_C",), ("K_A", "K_R"), ("K_z",)), _one_sensor),
+    "VI": SearchedLoop("two_sensor", (("K_C",), ("K_A", "K_R"), ("K_za",), ("K_zb",)), _two_sensors),
+    "VII": SearchedLoop("modest_jet", (("K_A", "K_C"), ("K_R",), ("kK_z", "b"), ("K_r",)), _jet),
 }
 """Section IV with its gyro at 60 ft, V and VI with sensors at 140 and at 300 ft, VII as the modest loop."""
 
 
 class OnARung(Problem):
-    """The search of `rlswaim.edition.search` for a structure on a rung; a slow real root is set apart.
+    """The search of `rlswaim.edition.search` for a loop on a rung; a slow real root is set apart.
 
     Parameters
     ----------
     step : Step
-    structure : Structure
+    searched : SearchedLoop
     """
 
-    def __init__(self, step: Step, structure: Structure) -> None:
-        names = [name for group in structure.groups for name in group]
-        self.rows = {name: bounds(structure.system)[name] for name in names}
-        self.family = Family.of(partial(structure.closed_loop, step), structure.groups, ROUNDING)
+    def __init__(self, step: Step, searched: SearchedLoop) -> None:
+        names = [name for group in searched.groups for name in group]
+        self.rows = {name: bounds(searched.system)[name] for name in names}
+        self.family = Family.of(partial(searched.closed_loop, step), searched.groups, ROUNDING)
         self.objective, self.pair, self.fixed, self.sought = "apart", False, [], names
         self.loops = self  # type: ignore[assignment]
 
@@ -103,7 +103,7 @@ def sought(rung: str, section: str, rounds: int = ROUNDS, people: int = PEOPLE) 
     rung : str
         One of `rlswaim.practice.rungs.ladder_steps`.
     section : str
-        One of `STRUCTURES`.
+        One of `SEARCHED`.
     rounds, people : int
         Generations, and loops in each for each gain.
 
@@ -111,11 +111,11 @@ def sought(rung: str, section: str, rounds: int = ROUNDS, people: int = PEOPLE) 
     -------
     Best
     """
-    step, structure = ladder_steps()[rung], STRUCTURES[section]
-    problem = OnARung(step, structure)
+    step, searched = ladder_steps()[rung], SEARCHED[section]
+    problem = OnARung(step, searched)
     start = problem.place(modest_gains()) if section == "VII" else None
     gains, count = evolved(problem, rounds, people, SEED, start)
-    poles = structure.closed_loop(step, **gains).poles()
+    poles = searched.closed_loop(step, **gains).poles()
     value = float(abscissas(poles[None], apart=True)[0])
     return Best(rung, section, gains, value, count)
 
@@ -129,9 +129,9 @@ def stored() -> dict[tuple[str, str], Best]:
 
 
 def main() -> None:
-    """Print the winners of all rungs and structures as the table ``ladder_found``."""
+    """Print the winners of all rungs and loops as the table ``ladder_found``."""
     print("rung,section,parameter,value")
-    pairs = [(rung, section) for rung in ladder_steps() for section in STRUCTURES]
+    pairs = [(rung, section) for rung in ladder_steps() for section in SEARCHED]
     for pair in tqdm(pairs, file=sys.stderr):
         best = sought(*pair)
         values = {**best.gains, "abscissa": f"{best.abscissa:.9g}", "evaluations": best.evaluations}

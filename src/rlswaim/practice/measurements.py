@@ -1,12 +1,13 @@
-"""What the report's loops measure and drive, as plants, and the limits of gyros and sensors by station."""
+"""What the report's loops measure and drive, as plants, and the limits of an instrument by its station."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import control
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rlswaim.practice.limits import Limits, limits
+from rlswaim.source import checks
 from rlswaim.vehicle.equations import PerturbationEquations
 
 
@@ -102,34 +103,33 @@ def measured(
     return control.ss(vehicle.A, B, C, np.zeros((len(rows), len(inputs))), inputs=inputs)
 
 
-def gyro_limits(eqs: PerturbationEquations, stations: ArrayLike) -> list[Limits]:
-    """Return the limits with a gyro at each of several stations: a map of the bound.
+READINGS: dict[str, Callable[[PerturbationEquations, float], dict[str, float]]] = {
+    "gyro": lambda eqs, station: angle(eqs, {station: 1.0}),
+    "linear sensor": displacement,
+}
+"""What one instrument at a station (ft) reads, as a row of weights by state."""
+
+
+def limits_along(eqs: PerturbationEquations, instrument: str, stations: ArrayLike) -> list[Limits]:
+    """Return the limits with one instrument alone at each of several stations: a map of the bound.
 
     Parameters
     ----------
     eqs : PerturbationEquations
+    instrument : str
+        One of `READINGS`.
     stations : array_like, shape (n,)
         In ft.
 
     Returns
     -------
     list of Limits
+
+    Raises
+    ------
+    ValueError
+        If there is no such instrument.
     """
-    return [limits(attitude(eqs, float(station))) for station in np.asarray(stations)]
-
-
-def sensor_limits(eqs: PerturbationEquations, stations: ArrayLike) -> list[Limits]:
-    """Return the limits with Section V's linear sensor alone at each of several stations.
-
-    Parameters
-    ----------
-    eqs : PerturbationEquations
-    stations : array_like, shape (n,)
-        In ft.
-
-    Returns
-    -------
-    list of Limits
-    """
-    rows = ([displacement(eqs, float(station))] for station in np.asarray(stations))
-    return [limits(measured(eqs, row, ["delta"])) for row in rows]
+    checks.one_of("instrument", instrument, tuple(READINGS), "limits_along")
+    rows = (READINGS[instrument](eqs, float(station)) for station in np.asarray(stations))
+    return [limits(measured(eqs, [row], ["delta"])) for row in rows]

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import control
 import numpy as np
 
-from rlswaim.practice.blocks import first_order, gain, second_order
+from rlswaim.practice.blocks import first_order, gain, low_pass, notch, second_order
 from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.source.tables import constants
 
@@ -59,14 +59,11 @@ class Structure(NamedTuple):
 
 
 def _low_pass(gains: Mapping[str, float]) -> control.StateSpace:
-    zeta, w = constants("ladder")["filter_zeta"], gains["low_pass"]
-    return second_order([w**2], [1.0, 2 * zeta * w, w**2])
+    return low_pass(gains["low_pass"], constants("ladder")["filter_zeta"])
 
 
 def _notch(gains: Mapping[str, float], name: str) -> control.StateSpace:
-    w = gains[name]
-    zeros, poles = ([1.0, 2 * gains[f"{name}_{kind}"] * w, w**2] for kind in ("zeros", "poles"))
-    return second_order(zeros, poles)
+    return notch(gains[name], gains[f"{name}_zeros"], gains[f"{name}_poles"])
 
 
 def section_vii_instruments(gains: Mapping[str, float]) -> tuple[Instrument, ...]:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from rlswaim.edition import spreads
 from rlswaim.edition.adaptation import adapted
 from rlswaim.edition.search import evolved
 from rlswaim.practice.criteria import DEG, Wanted, wanted, with_motion
@@ -23,7 +24,7 @@ from rlswaim.practice.hardware import COMMANDS, plant
 from rlswaim.practice.margins import frequency_response
 from rlswaim.practice.structures import STRUCTURES
 from rlswaim.source import checks
-from rlswaim.source.tables import constants, number, read_table
+from rlswaim.source.tables import constants, read_table
 from rlswaim.vehicle.equations import PerturbationEquations
 
 DURATIONS = (1.0, 2.5, 6.0, 15.0)
@@ -215,20 +216,13 @@ class Sought:
         """Return the gains at one place ``u``, shape (n,): to five digits, stations to a foot."""
         found = dict(STRUCTURES[self.structure].fixed)
         for name, x in zip(self.sought, u, strict=True):
-            low, high = (number(self.rows[name][end]) for end in ("low", "high"))
-            value = low * (high / low) ** x if self.rows[name]["spread"] == "log" else low + (high - low) * x
+            value = float(spreads.spread(self.rows[name], x))
             found[name] = float(round(value)) if self.rows[name]["unit"] == "ft" else float(f"{value:.5g}")
         return found
 
     def place(self, gains: Mapping[str, float]) -> NDArray:
         """Return where in the unit cube some ``gains`` are."""
-        found = []
-        for name in self.sought:
-            low, high = (number(self.rows[name][end]) for end in ("low", "high"))
-            log = self.rows[name]["spread"] == "log"
-            value = gains[name]
-            found.append(np.log(value / low) / np.log(high / low) if log else (value - low) / (high - low))
-        return np.array(found)
+        return np.array([spreads.place(self.rows[name], gains[name]) for name in self.sought])
 
     def of(self, gains: Mapping[str, float]) -> float:
         """Return the cost of some ``gains``: vehicle by vehicle, up to the first that is not stable."""

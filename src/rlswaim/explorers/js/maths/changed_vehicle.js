@@ -8,7 +8,7 @@ import { throughCompensator } from './compensated.js';
 import { once } from './kept_values.js';
 import { BLIND } from './line_quality.js';
 import { matchRoots } from './match_roots.js';
-import { shapesAlong, shapesNear, valuesAtFeet } from './shapes.js';
+import { deflectionsAlong, shapesAlong, shapesNear } from './shapes.js';
 import { factorsOf, polynomial } from './terms.js';
 import { trace } from './tracing.js';
 import { bentBy, coefficientsAt, dataKey, isOwnVehicle } from './vehicle_data.js';
@@ -44,8 +44,8 @@ function changed(system, state) {
   if (plant.burn) {
     const bent = bentBy(plant, state);
     given.shapes = shapesAlong(system.shapes, bent);
-    given.vehicle = { ...system.vehicle, l_CG: bent.l_CG, U: flightAt(plant.burn, state).U };
-    for (const mode of [0, 1]) given.vehicle[`phi_${mode + 1}`] = valuesAtFeet(bent, 'deflection', mode);
+    const { U } = flightAt(plant.burn, state);
+    given.vehicle = { ...system.vehicle, ...deflectionsAlong(bent), l_CG: bent.l_CG, U };
   }
   return given;
 }

@@ -8,8 +8,10 @@ import { multiply } from './polynomials.js';
  * kind: a key of KINDS; values: its numbers, in the order of the kind's names.
  * @typedef {{ kind: string, values: number[] }} Section
  */
-/** place: the gain whose signal goes through it. @typedef {{ place: string, gain: number,
- *   sections: Section[] }} Compensator */
+/**
+ * place: the gain whose signal goes through it.
+ * @typedef {{ place: string, gain: number, sections: Section[] }} Compensator
+ */
 /** @typedef {{ N: Coefficients, D: Coefficients }} Ratio constant term first; 1 at s = 0 where it can be */
 /**
  * names: of the numbers, with unit; least, most: their bounds; fresh: the first values, from a frequency.
@@ -134,16 +136,13 @@ export function isProper({ sections }) {
   return zeros <= poles;
 }
 
-/** Roots of a polynomial of degree 1 or 2, or of Pade's. @param {number} re @param {number} im */
+/** A complex root and its conjugate. @param {number} re @param {number} im */
 const twin = (re, im) => [
   { re, im },
   { re, im: -im },
 ];
 
-/**
- * The poles, or the zeros, of a section that has no closed form but for its delay.
- * @param {Coefficients} c of degree at most 2
- */
+/** The roots of a polynomial of degree 2 at most. @param {Coefficients} c */
 function shortRoots(c) {
   if (c.length < 2) return [];
   if (c.length === 2) return [{ re: c[0] === 0 ? 0 : -c[0] / c[1], im: 0 }];

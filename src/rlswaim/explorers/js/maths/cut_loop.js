@@ -1,5 +1,7 @@
 // The loop that is cut open at one gain, as its frequency response sees it.
 import { closedLoop } from './closed_loop.js';
+import { marginsOf } from './margins.js';
+import { marginsOnCurve } from './margins_on_curve.js';
 import { lastLoop, loopOf, withoutGains } from './open_loop.js';
 
 /** @typedef {import('./terms.js').System} System */
@@ -54,3 +56,6 @@ export function cutLoop(system, state, shown) {
     loop,
   };
 }
+
+/** The margins of a loop that is cut. @param {CutLoop} cut */
+export const cutMargins = (cut) => (cut.period ? marginsOnCurve(cut) : marginsOf(cut.loop, cut.gain));

@@ -1,5 +1,6 @@
 // Gain and phase margins of the loop that a locus draws.
 import { roots } from './aberth.js';
+import { marginsByOmega, phaseMargin } from './one_margin.js';
 import { lastLoop, loopOf } from './open_loop.js';
 import { ownMargins } from './own_margins.js';
 import { combine, evaluate, multiply } from './polynomials.js';
@@ -33,22 +34,16 @@ export function margins(system, state, what = lastLoop(system)) {
  */
 export function marginsOf({ D, N, crossings }, k) {
   if (k === 0 || Array.from(N).every((v) => v === 0)) return null;
-  const gain = crossings()
-    .map((c) => ({ factor: c.gain / k, dB: 20 * Math.log10(c.gain / k), omega: c.omega }))
-    .filter(({ factor }) => factor > 0);
   const phase = frequenciesOfUnitSize(D, N, k).map((omega) => {
     const [dx, dy] = evaluate(D, 0, omega);
     const [nx, ny] = evaluate(N, 0, omega);
-    const degrees = (Math.atan2(-k * (ny * dx - nx * dy), -k * (nx * dx + ny * dy)) * 180) / Math.PI;
-    return { degrees, omega, delay: (((degrees + 360) % 360) * Math.PI) / 180 / omega };
+    return phaseMargin(-k * (nx * dx + ny * dy), -k * (ny * dx - nx * dy), omega);
   });
-  const byOmega = (/** @type {{ omega: number }} */ a, /** @type {{ omega: number }} */ b) =>
-    a.omega - b.omega;
-  return { gain: gain.sort(byOmega), phase: phase.sort(byOmega) };
+  return marginsByOmega(crossings(), k, phase);
 }
 
-// Where |D|^2 - k^2 |N|^2 = 0, a polynomial of u = omega^2.
 /**
+ * Where |D|^2 - k^2 |N|^2 = 0, a polynomial of u = omega^2.
  * @param {Coefficients} D
  * @param {Coefficients} N
  * @param {number} k
@@ -58,9 +53,11 @@ function frequenciesOfUnitSize(D, N, k) {
   return u.x.filter((x, i) => x > 0 && Math.abs(u.y[i]) <= 1e-9 * x).map(Math.sqrt);
 }
 
-// |c(j omega)|^2 as a polynomial of omega^2: the squares of c's even and odd parts, c(j omega) = even + j
-// omega odd.
-/** @param {Coefficients} c */
+/**
+ * |c(j omega)|^2 as a polynomial of omega^2: the squares of c's even and odd parts, c(j omega) = even + j
+ * omega odd.
+ * @param {Coefficients} c
+ */
 function squareOnAxis(c) {
   const part = (/** @type {number} */ first) =>
     Float64Array.from({ length: (c.length - first + 1) >> 1 }, (_, k) => c[2 * k + first] * (-1) ** k);

@@ -1,5 +1,6 @@
 // Margins read off a frequency response, where no polynomial in omega has them: in discrete time.
 import { frequencyResponse, responseAt } from './frequency_response.js';
+import { gainMargin, phaseMargin } from './one_margin.js';
 
 /** @typedef {import('./frequency_response.js').Loop} Loop */
 /** @typedef {import('./polynomials.js').Complex} Complex */
@@ -43,11 +44,10 @@ export function marginsOnCurve(loop) {
   const gain = crossings(loop, omega, ([, im]) => im)
     .map((w) => ({ omega: w, value: responseAt(loop, w) }))
     .filter(({ value: [re, im] }) => re < 0 && Math.abs(im) < 1e-6 * Math.abs(re))
-    .map(({ omega: w, value: [re] }) => ({ factor: -1 / re, dB: -20 * Math.log10(-re), omega: w }));
+    .map(({ omega: w, value: [re] }) => gainMargin(-1 / re, w));
   const phase = crossings(loop, omega, ([re, im]) => Math.hypot(re, im) - 1).map((w) => {
     const [re, im] = responseAt(loop, w);
-    const degrees = (Math.atan2(-im, -re) * 180) / Math.PI;
-    return { degrees, omega: w, delay: (((degrees + 360) % 360) * Math.PI) / 180 / w };
+    return phaseMargin(-re, -im, w);
   });
   return { gain, phase };
 }

@@ -1,7 +1,7 @@
 // The closed-loop motion at one pole, along the vehicle, from the numerators that Python sends.
 import { numeratorsOf } from './changed_vehicle.js';
 import { atFeet } from './curves.js';
-import { evaluate, termsAt } from './polynomials.js';
+import { evaluate, over, termsAt } from './polynomials.js';
 import { factorsOf, inputsOf, polynomial } from './terms.js';
 
 /** @typedef {import('./terms.js').System} System */
@@ -12,15 +12,6 @@ import { factorsOf, inputsOf, polynomial } from './terms.js';
 
 /** @param {Complex} z */
 const size = ([re, im]) => Math.hypot(re, im);
-/**
- * @param {Complex} z
- * @param {Complex} w
- * @returns {Complex}
- */
-const over = ([a, b], [c, d]) => {
-  const square = c * c + d * d;
-  return [(a * c + b * d) / square, (b * c - a * d) / square];
-};
 
 // At a pole every input leaves the outputs in the same proportion; the one that rounding spoils least is
 // taken: that whose values are largest beside the terms that they are sums of.

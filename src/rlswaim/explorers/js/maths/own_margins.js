@@ -2,6 +2,7 @@
 import { roots } from './aberth.js';
 import { gainAtPoint } from './factored_loop.js';
 import { aberthOfFactors } from './factored_roots.js';
+import { marginsByOmega, phaseMargin } from './one_margin.js';
 import { combine } from './polynomials.js';
 
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
@@ -20,22 +21,16 @@ const REAL = 1e-9; // relative size of what rounding leaves of an imaginary part
  */
 export function ownMargins(parts, crossings, k, dt) {
   if (k === 0 || parts.gain === 0) return null;
-  const gain = crossings
-    .map((c) => ({ factor: c.gain / k, dB: 20 * Math.log10(c.gain / k), omega: c.omega }))
-    .filter(({ factor }) => factor > 0);
   const phase = frequenciesOfUnitSize(parts, k, Boolean(dt)).map((omega) => {
     const [gx, gy] = dt ? gainAtPoint(parts, Math.cos(omega), Math.sin(omega)) : gainAtPoint(parts, 0, omega);
-    const degrees = (Math.atan2(-k * gy, k * gx) * 180) / Math.PI; // of -k G, as gx + j gy = -1/G
-    return { degrees, omega, delay: (((degrees + 360) % 360) * Math.PI) / 180 / omega };
+    return phaseMargin(k * gx, -k * gy, omega); // in the direction of -k G, as gx + j gy = -1/G
   });
-  const byOmega = (/** @type {{ omega: number }} */ a, /** @type {{ omega: number }} */ b) =>
-    a.omega - b.omega;
-  return { gain: gain.sort(byOmega), phase: phase.sort(byOmega) };
+  return marginsByOmega(crossings, k, phase);
 }
 
-// Where |P|^2 = (k gain)^2 |Z|^2: along the axis a factor (s - p)(-s - p) is u + p^2 with u = omega^2, along
-// the circle (z - p)(1/z - p) is -2p (c - (p + 1/p)/2) with c = cos omega. So both are loci again.
 /**
+ * Where |P|^2 = (k gain)^2 |Z|^2: along the axis a factor (s - p)(-s - p) is u + p^2 with u = omega^2, along
+ * the circle (z - p)(1/z - p) is -2p (c - (p + 1/p)/2) with c = cos omega. So both are loci again.
  * @param {FactoredLoop} parts
  * @param {number} k
  * @param {boolean} discrete

@@ -4,6 +4,16 @@
 /** @typedef {{ x: ArrayLike<number>, y: ArrayLike<number> }} Points real and imaginary parts */
 /** @typedef {[number, number]} Complex */
 
+/** @param {Complex} a @param {Complex} b @returns {Complex} */
+export const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
+
+/** @param {Complex} a @param {Complex} b @returns {Complex} */
+export function over([a, b], [c, d]) {
+  if (d === 0) return [a / c, b / c]; // a real divisor leaves real numbers as they are
+  const size = c * c + d * d;
+  return [(a * c + b * d) / size, (b * c - a * d) / size];
+}
+
 /** The distance from 1 to the next larger number. */
 export const EPS = 2.220446049250313e-16;
 

@@ -14,8 +14,14 @@ function valueAt({ l_CG, phi }, kind, mode, station) {
 }
 
 /** @param {Bent} bent @param {string} kind @param {number} mode */
-export const valuesAtFeet = (bent, kind, mode) =>
+const valuesAtFeet = (bent, kind, mode) =>
   Float64Array.from({ length: FEET }, (_, foot) => valueAt(bent, kind, mode, foot));
+
+/** The deflections of both modes at each foot, by the names of `System.vehicle`. @param {Bent} bent */
+export const deflectionsAlong = (bent) => ({
+  phi_1: valuesAtFeet(bent, 'deflection', 0),
+  phi_2: valuesAtFeet(bent, 'deflection', 1),
+});
 
 /**
  * The shapes of a system along the whole vehicle.

@@ -1,10 +1,11 @@
 // What a root locus shows beside its poles, in words: crossings, margins, the roots that the report prints.
 import { nearestRoot } from '../drawing/nearest.js';
+import { nearestFirst } from '../maths/one_margin.js';
+import { element, set, symbol } from './elements.js';
 import { complex, number, signed } from './numbers.js';
 
 /** @import { Crossing, Roots } from '../types.d.ts' */
-/** @typedef {{ dB: number, factor: number, omega: number }} GainMargin */
-/** @typedef {{ degrees: number, omega: number, delay: number }} PhaseMargin */
+/** @import { GainMargin, PhaseMargin } from '../maths/one_margin.js' */
 
 const READ_OFF = 0.05; // of a root's size, at least of .1 1/s: what a plotted locus tells
 
@@ -26,12 +27,10 @@ export function crossingWords(crossings) {
 export function marginWords(margins, isStable) {
   if (!margins) return '';
   if (!isStable) return 'Gain margins: none, as this loop is not stable. Phase margins: none.';
-  /** @template Each @param {Each[]} each @param {(margin: Each) => number} size */
-  const nearest = (each, size) => [...each].sort((a, b) => Math.abs(size(a)) - Math.abs(size(b)));
-  const gain = nearest(margins.gain, ({ dB }) => dB).map(
+  const gain = nearestFirst(margins.gain, ({ dB }) => dB).map(
     (m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, ω = ${number(m.omega, 3)} rad/s)`,
   );
-  const phase = nearest(margins.phase, ({ degrees }) => degrees).map(
+  const phase = nearestFirst(margins.phase, ({ degrees }) => degrees).map(
     (m) => `${signed(m.degrees, 3)}° (ω = ${number(m.omega, 3)} rad/s)`,
   );
   const delays = margins.phase.map(({ delay }) => delay);
@@ -59,4 +58,26 @@ export function printedWords(printed, present) {
   return far.length
     ? `${count}of which ${far.length} more than a plot’s reading off: ${far.join('; ')}.`
     : `${count}all within a plot’s reading of the roots here.`;
+}
+
+/** The line of a view that says so, after the name of what runs. */
+export class LocusLine {
+  constructor() {
+    this.running = '';
+    this.name = element('span');
+    this.words = [element('span'), element('span'), element('span')];
+    const spaced = this.words.flatMap((word, i) => (i ? [' ', word] : [word]));
+    this.node = element('p', { class: 'crossings' }, this.name, ...spaced);
+  }
+
+  /** @param {string} running @param {[crossings: string, margins: string, printed: string]} texts */
+  show(running, texts) {
+    if (this.running !== running) {
+      this.running = running;
+      this.name.replaceChildren(...symbol(running));
+    }
+    this.words.forEach((word, i) => {
+      set(word, texts[i]);
+    });
+  }
 }

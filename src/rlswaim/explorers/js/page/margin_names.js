@@ -1,26 +1,21 @@
 // Margins with the names of the modes that they belong to, as marks and in words.
+import { nearestFirst } from '../maths/one_margin.js';
 import { number, signed } from './numbers.js';
 
 /** @import { MarginMark } from '../drawing/frequency_axes.js' */
 /** @import { Sample } from '../maths/frequency_response.js' */
-/** @import { GainMargin, PhaseMargin } from './locus_words.js' */
+/** @import { GainMargin, PhaseMargin } from '../maths/one_margin.js' */
 /** @typedef {{ gain: GainMargin[], phase: PhaseMargin[] }} Margins */
 
 const MOST = 3; // margins of a kind that are told
 
-/**
- * The nearest first.
- * @template Each @param {Each[]} each @param {(margin: Each) => number} size
- */
-const byNearness = (each, size) => [...each].sort((a, b) => Math.abs(size(a)) - Math.abs(size(b)));
-
 /** @param {Margins} margins */
 const ordered = ({ gain, phase }) => ({
-  gain: byNearness(
+  gain: nearestFirst(
     gain.filter(({ omega }) => omega > 0),
     ({ dB }) => dB,
   ),
-  phase: byNearness(phase, ({ degrees }) => degrees),
+  phase: nearestFirst(phase, ({ degrees }) => degrees),
 });
 
 /**

@@ -1,4 +1,4 @@
-// Numbers as text.
+// Numbers as text, and from the text that a reader types.
 
 const grouped = new Intl.NumberFormat('en', { maximumFractionDigits: 20 });
 
@@ -30,3 +30,6 @@ export function digits(value, count) {
   if (value !== 0 && Math.abs(value) < 1e-3) return value.toExponential(count - 1);
   return value === 0 ? '0' : value.toPrecision(count);
 }
+
+/** What a reader typed, with a point or a comma; NaN for what is no number. @param {string} text */
+export const typedNumber = (text) => (text.trim() === '' ? NaN : Number(text.replace(',', '.')));

@@ -4,7 +4,7 @@ import { POLES_IN_S } from './pole_table.js';
 import { verdict } from './verdict.js';
 
 /** @import { Crossing, Pole, Roots } from '../types.d.ts' */
-/** @import { GainMargin, PhaseMargin } from './locus_words.js' */
+/** @import { GainMargin, PhaseMargin } from '../maths/one_margin.js' */
 /** @import { PoleWords } from './pole_table.js' */
 /** @import { Verdict } from './verdict.js' */
 /** @typedef {{ gain: GainMargin[], phase: PhaseMargin[] }} Margins */

@@ -1,17 +1,8 @@
 // Polynomials with complex coefficients, constant term first, as an expression is read; and their products.
+import { times } from '../maths/polynomials.js';
 
-/** @typedef {[number, number]} Complex */
+/** @typedef {import('../maths/polynomials.js').Complex} Complex */
 /** @typedef {Complex[]} Polynomial */
-
-/** @param {Complex} a @param {Complex} b @returns {Complex} */
-export const times = ([a, b], [c, d]) => [a * c - b * d, a * d + b * c];
-
-/** @param {Complex} a @param {Complex} b @returns {Complex} */
-export function over([a, b], [c, d]) {
-  if (d === 0) return [a / c, b / c]; // a real divisor leaves real numbers as they are
-  const size = c * c + d * d;
-  return [(a * c + b * d) / size, (b * c - a * d) / size];
-}
 
 /** @param {Polynomial} a @param {Polynomial} b @returns {Polynomial} */
 export function product(a, b) {

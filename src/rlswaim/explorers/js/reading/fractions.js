@@ -1,6 +1,7 @@
 // Fractions of products of polynomials, as an expression makes them: factors stay factors until they are
 // added to something.
-import { product, sum, times, trimmed } from './complex_polynomials.js';
+import { times } from '../maths/polynomials.js';
+import { product, sum, trimmed } from './complex_polynomials.js';
 import { LoopError } from './loop_error.js';
 
 /** @typedef {import('./complex_polynomials.js').Complex} Complex */

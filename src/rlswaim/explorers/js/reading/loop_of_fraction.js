@@ -1,6 +1,7 @@
 // A fraction that was read as a loop: numerator over denominator where each is one polynomial, else factors.
 import { distinctRoots } from '../maths/multiple_roots.js';
-import { isReal, over, times } from './complex_polynomials.js';
+import { over, times } from '../maths/polynomials.js';
+import { isReal } from './complex_polynomials.js';
 import { expanded } from './fractions.js';
 import { LoopError } from './loop_error.js';
 

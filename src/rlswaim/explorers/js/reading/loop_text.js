@@ -179,8 +179,8 @@ export function readLoop(given) {
   if (found) return found;
   const formula = plain.replace(/^[^\S\n]*(?:dt|Ts)\s*[=:].*$/gm, '');
   const fraction = printedFraction(formula) ?? formula.trim().replace(/^[A-Za-z]\w*(?:\(\w\))?\s*=/, '');
-  const told_ = time !== undefined || told !== undefined;
-  return loopOfFraction(fractionFrom(fraction.replace(/;\s*$/, ''), 'the expression'), dt, told_);
+  const isTold = time !== undefined || told !== undefined;
+  return loopOfFraction(fractionFrom(fraction.replace(/;\s*$/, ''), 'the expression'), dt, isTold);
 }
 
 /** (zeros, poles, gain), as rlswaim takes it. @param {string} text @param {SamplingTime} dt */

@@ -1,7 +1,7 @@
 // Numbers as people and programs write them: 1, −2.5, .5, 1e-3, 1.2×10^3 is none; 2j, 1+2i, (3-1j).
 import { LoopError, quoted } from './loop_error.js';
 
-/** @typedef {[number, number]} Complex */
+/** @typedef {import('../maths/polynomials.js').Complex} Complex */
 
 export const UNSIGNED = String.raw`(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?`;
 const PART = new RegExp(String.raw`^([+-]?)\s*(${UNSIGNED})?\s*\*?\s*([ij])?$`);

@@ -11,10 +11,7 @@ const TOLD =
 const AROUND = new RegExp(String.raw`^\s*(?:<\w+>:|${TOLD}).*$`, 'gm');
 const CALLS = /(?:[A-Za-z]\w*\.)?\b(tf|TransferFunction|zpk|ZerosPolesGain|ss|StateSpace)\s*\(/;
 
-/**
- * One minus, one power sign, one kind of space; without what only tells people something.
- * @param {string} text
- */
+/** A text with one kind of minus, of power sign, of product sign and of space. @param {string} text */
 export function plainText(text) {
   const raised = '⁰¹²³⁴⁵⁶⁷⁸⁹';
   return text
@@ -25,7 +22,7 @@ export function plainText(text) {
     .replace(/[\t\u00a0\u2009]/g, ' ');
 }
 
-/** @param {string} text */
+/** A text without the lines that programs print around a system. @param {string} text */
 export const withoutSurroundings = (text) => text.replace(AROUND, '');
 
 /** @param {string} text @param {string} where @returns {SamplingTime} */

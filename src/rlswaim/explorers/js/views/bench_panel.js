@@ -1,6 +1,6 @@
 // The bench under a view of chapters I to III, folded: any control system around the view's own vehicle.
 
-import { shapesAlong, valuesAtFeet } from '../maths/shapes.js';
+import { deflectionsAlong, shapesAlong } from '../maths/shapes.js';
 import { bentBy } from '../maths/vehicle_data.js';
 import { onAddress, readAddress, writeAddress } from '../page/address.js';
 import { element, panel, select } from '../page/elements.js';
@@ -31,13 +31,11 @@ export function benchSystem(payload, name) {
   const followed = above.filter((/** @type {{ name: string }} */ p) => plant.parameters.includes(p.name));
   const names = [...parameters, ...bench.own];
   const bent = bentBy(plant, plant.own);
-  const vehicle = { ...bench.vehicle };
-  for (const mode of [0, 1]) vehicle[`phi_${mode + 1}`] = valuesAtFeet(bent, 'deflection', mode);
   return {
     ...own,
     view: 'workbench',
     plant,
-    vehicle,
+    vehicle: { ...bench.vehicle, ...deflectionsAlong(bent) },
     own: names,
     parameters: [...names.map((of) => bench.parameters[of]), ...followed],
     shapes: shapesAlong(shapes, bent),

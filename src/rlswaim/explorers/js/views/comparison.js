@@ -55,40 +55,58 @@ function chosen(texts, count) {
   return { designs: named.filter(isDesign), notes };
 }
 
+/** @param {Model} model @param {{ key: string, at: number }[]} designs */
+function choose(model, designs) {
+  for (const { key, at } of designs) model.set(key, at);
+  model.save_changes();
+}
+
+/**
+ * Acts once, when an element has its size; returns what calls that off.
+ * @param {HTMLElement} el @param {() => void} act
+ */
+function whenLaidOut(el, act) {
+  const watch = new ResizeObserver(() => {
+    watch.disconnect();
+    act();
+  });
+  watch.observe(el);
+  return () => watch.disconnect();
+}
+
+/** The address tells designs other than those of the start. @param {Model} model @param {number[]} start */
+function tellAddress(model, start) {
+  const now = SIDES.map((key) => model.get(key));
+  const moved = now.some((design, i) => design !== start[i]);
+  writeAddress(NAME, moved ? Object.fromEntries(SIDES.map((key, i) => [key, now[i]])) : {});
+}
+
 /** @param {Context} context */
 export function render({ model, el }) {
   el.classList.add('rlswaim-comparison');
   el.dataset.explorer = NAME;
+  /** @type {number[]} */
   const start = SIDES.map((key) => model.get(key));
   const shared = new SharedWindow();
   const sides = SIDES.map((key) => new Side(model, key, shared));
-  /** @param {{ key: string, at: number }[]} designs */
-  const choose = (designs) => {
-    for (const { key, at } of designs) model.set(key, at);
-    model.save_changes();
-  };
-  const notice = new Notice(() => choose(SIDES.map((key, i) => ({ key, at: start[i] }))));
+  const own = SIDES.map((key, i) => ({ key, at: start[i] }));
+  const notice = new Notice(() => choose(model, own));
   /** @param {string} [hash] */
   const arrive = (hash) => {
     const texts = readAddress(NAME, hash);
     if (Object.keys(texts).length === 0) return;
     const { designs, notes } = chosen(texts, model.get('payload').designs.length);
-    choose(designs);
+    choose(model, designs);
     notice.opened(notes);
   };
   const show = () => {
     for (const side of sides) side.show();
-    const moved = SIDES.some((key, i) => model.get(key) !== start[i]);
-    writeAddress(NAME, moved ? Object.fromEntries(SIDES.map((key) => [key, model.get(key)])) : {});
+    tellAddress(model, start);
   };
   el.append(element('div', { class: 'rlswaim-explorer' }, notice.node), ...sides.map(({ node }) => node));
   arrive();
   show();
-  const laidOut = new ResizeObserver(() => {
-    laidOut.disconnect();
-    if (isNewHere()) goToAddressed(el, NAME);
-  });
-  laidOut.observe(el);
+  const unwatch = whenLaidOut(el, () => isNewHere() && goToAddressed(el, NAME));
   const changed = () => {
     notice.clear();
     show();
@@ -99,7 +117,7 @@ export function render({ model, el }) {
     goToAddressed(el, NAME, hash);
   });
   return () => {
-    laidOut.disconnect();
+    unwatch();
     for (const { bench } of sides) bench.stop();
     for (const key of SIDES) model.off(`change:${key}`, changed);
     unfollow();

@@ -3,7 +3,7 @@ import { isProper, KINDS } from '../maths/compensator.js';
 import { bounded, compensatorFrom, isSmall, textOf } from '../page/compensator_text.js';
 import { ratioWords } from '../page/compensator_words.js';
 import { button, element, panel, select, set } from '../page/elements.js';
-import { number } from '../page/numbers.js';
+import { number, typedNumber } from '../page/numbers.js';
 import { Grips } from './compensator_grips.js';
 
 /** @import { Compensator, Section } from '../maths/compensator.js' */
@@ -12,9 +12,6 @@ import { Grips } from './compensator_grips.js';
 const WITHOUT =
   'It is in the locus, the poles, the verdict, the margins, the frequency response, the pole map, the mode ' +
   'shape and the responses. Other views of the page are without it.';
-
-/** @param {string} text */
-const typed = (text) => (text.trim() === '' ? NaN : Number(text.replace(',', '.')));
 
 export class CompensatorPanel {
   /** @param {Workbench} bench */
@@ -83,7 +80,7 @@ export class CompensatorPanel {
   #field(label, act) {
     const input = element('input', { type: 'text', inputmode: 'decimal', size: 8 });
     input.addEventListener('change', () => {
-      const value = typed(input.value);
+      const value = typedNumber(input.value);
       if (Number.isFinite(value)) act(value);
       this.shown = '-';
       this.show();

@@ -1,10 +1,9 @@
 // What is asked of the closed loop: bounds that are typed here, hatched in the s plane, and told to hold or
 // not.
-import { cutLoop } from '../maths/cut_loop.js';
-import { marginsOf } from '../maths/margins.js';
-import { marginsOnCurve } from '../maths/margins_on_curve.js';
+import { cutLoop, cutMargins } from '../maths/cut_loop.js';
 import { ASKED, findings } from '../maths/requirements.js';
 import { element, panel, set } from '../page/elements.js';
+import { typedNumber } from '../page/numbers.js';
 import { foundWords, isSensible, textOfAsked } from '../page/requirement_text.js';
 
 /** @import { Workbench } from './workbench.js' */
@@ -46,7 +45,7 @@ export class RequirementPanel {
   /** @param {string} kind @param {boolean} isAsked @param {string} text */
   #ask(kind, isAsked, text) {
     const { [kind]: before, ...others } = this.bench.state.asked;
-    const typed = Number(text.trim().replace(',', '.') || NaN);
+    const typed = typedNumber(text);
     const bound = isSensible(kind, typed) ? typed : (before ?? ASKED[kind].fresh);
     const all = isAsked ? { ...others, [kind]: bound } : others;
     const ordered = Object.keys(ASKED).filter((name) => name in all);
@@ -83,8 +82,7 @@ export class RequirementPanel {
   /** @param {any} system @param {Workbench['state']} state */
   #found(system, state) {
     const cut = cutLoop(system, state.values, state.what);
-    const { gain, loop, isStable, period } = cut;
-    const margins = period ? marginsOnCurve(cut) : marginsOf(loop, gain);
-    return findings(state.asked, { poles: this.bench.poles, margins, isStable });
+    const { isStable } = cut;
+    return findings(state.asked, { poles: this.bench.poles, margins: cutMargins(cut), isStable });
   }
 }

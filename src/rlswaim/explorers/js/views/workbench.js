@@ -4,20 +4,9 @@ import { nearestRoot } from '../drawing/nearest.js';
 import { closedLoop } from '../maths/closed_loop.js';
 import { margins } from '../maths/margins.js';
 import { withCompensator } from '../page/compensator_words.js';
-import {
-  button,
-  element,
-  group,
-  legend,
-  panel,
-  press,
-  scrolling,
-  select,
-  set,
-  symbol,
-} from '../page/elements.js';
+import { button, element, group, legend, panel, press, scrolling, select } from '../page/elements.js';
 import { Lifecycle } from '../page/lifecycle.js';
-import { printedWords } from '../page/locus_words.js';
+import { LocusLine, printedWords } from '../page/locus_words.js';
 import { PoleTable } from '../page/pole_table.js';
 import { rehearse } from '../page/rehearsal.js';
 import { VerdictLine } from '../page/verdict.js';
@@ -72,13 +61,7 @@ export class Workbench {
     this.verdictLine = new VerdictLine();
     this.table = new PoleTable(element('caption', { class: 'unseen' }, 'Closed-loop poles'), 'leaves from');
     this.signs = legend(signsOf(this.system));
-    this.locusWords = {
-      running: element('span'),
-      crossings: element('span'),
-      margins: element('span'),
-      printed: element('span'),
-    };
-    this.named = '';
+    this.locusLine = new LocusLine();
     const { maps, vehicle } = this.system;
     const map = maps.length ? [this.map] : [];
     this.parts = [this.frequency, ...map, this.responses, ...(vehicle ? [this.mode] : [])];
@@ -112,7 +95,6 @@ export class Workbench {
 
   /** @param {HTMLElement} el */
   #build(el) {
-    const { running, crossings, margins, printed } = this.locusWords;
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
     const compensator = this.state.places.length ? [this.compensator] : [];
@@ -127,11 +109,10 @@ export class Workbench {
       ...criteria,
       this.takeAway,
     ].map(({ node }) => node);
-    const words = element('p', { class: 'crossings' }, running, crossings, ' ', margins, ' ', printed);
     const work = element(
       'div',
       { class: 'work' },
-      element('div', { class: 'plane' }, this.plane.node, words, this.signs),
+      element('div', { class: 'plane' }, this.plane.node, this.locusLine.node, this.signs),
       element('div', { class: 'panels' }, ...panels, helpPanel()),
     );
     this.desk = new Desk(this, el, work);
@@ -267,15 +248,12 @@ export class Workbench {
     this.verdict = this.words.verdict(this.poles);
     this.verdictLine.show(this.verdict);
     this.table.show(this.poles, this.page.theme, this.words.poles);
-    const words = this.locusWords;
-    if (this.named !== running) {
-      this.named = running;
-      words.running.replaceChildren(...symbol(running));
-    }
     const { crossings, margins: told, isStable } = this.words;
-    set(words.crossings, crossings(locus.crossings));
-    set(words.margins, told(margins(system, values, state.what), isStable(locus.present)));
-    set(words.printed, printedWords(/** @type {any} */ (extra.printed), locus.present));
+    this.locusLine.show(running, [
+      crossings(locus.crossings),
+      told(margins(system, values, state.what), isStable(locus.present)),
+      printedWords(/** @type {any} */ (extra.printed), locus.present),
+    ]);
     const { path } = system.presets[state.shown.printed] ?? {};
     const sign = /** @type {Text} */ (this.signs.lastChild.lastChild);
     const meaning = ` printed in the report${path ? ` (${path})` : ''}`;

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from rlswaim.practice import structured as s
+from rlswaim.practice import uncertain_data as s
 from rlswaim.practice.designs import designs
-from rlswaim.practice.dispersed import drawn
+from rlswaim.practice.dispersed import drawn, factor_names, factors_at
 from rlswaim.practice.monte_carlo import spreads
 
-STORED = s.stored()
+STORED, COUNT = s.stored(), len(factor_names())
 NAME = "LQG with recovery, nose jet"
 
 
@@ -19,9 +19,9 @@ def system():
 
 def test_first_order_is_the_tangent(system):
     rng = np.random.default_rng(1)
-    zero = np.sort_complex(np.linalg.eigvals(s.matrix_at(designs()[NAME], np.zeros(len(s.names())))))
+    zero = np.sort_complex(np.linalg.eigvals(s.matrix_at(designs()[NAME], np.zeros(COUNT))))
     assert np.allclose(np.sort_complex(np.linalg.eigvals(system.A)), zero, atol=1e-6)
-    d = rng.uniform(-1, 1, len(s.names()))
+    d = rng.uniform(-1, 1, COUNT)
     errors = []
     for size in (0.02, 0.01):
         full = np.linalg.eigvals(s.matrix_at(designs()[NAME], size * d)).sum()
@@ -31,7 +31,7 @@ def test_first_order_is_the_tangent(system):
 
 def test_determinant_vanishes_where_a_root_is(system):
     """det(I - M diag(d)) = det(s I - A(d))/det(s I - A)."""
-    d = np.random.default_rng(2).uniform(-1, 1, len(s.names()))
+    d = np.random.default_rng(2).uniform(-1, 1, COUNT)
     at = 0.01 + 1.7j
     sizes = [E.shape[1] for E in system.E]
     left = np.linalg.det(np.eye(sum(sizes)) - system.M(at) * np.repeat(d, sizes))
@@ -40,8 +40,11 @@ def test_determinant_vanishes_where_a_root_is(system):
 
 
 def test_factors_at_the_ends_are_the_spreads():
-    assert s.factors_at(np.zeros(len(s.names()))) == dict.fromkeys(s.names(), 1.0)
-    high, low = s.factors_at(np.ones(len(s.names()))), s.factors_at(-np.ones(len(s.names())))
+    assert factors_at(np.zeros(COUNT)) == dict.fromkeys(factor_names(), 1.0)
+    high, low = (
+        factors_at(np.ones(COUNT)),
+        factors_at(-np.ones(COUNT)),
+    )
     for index in range(20):
         assert all(low[name] <= value <= high[name] for name, value in drawn(index).items())
 
@@ -54,7 +57,7 @@ def test_all_that_are_named_are_stored():
 @pytest.mark.parametrize("name", STORED)
 def test_lower_bound_is_a_vehicle_that_is_lost(name):
     found, design = STORED[name], designs()[name]
-    d = np.array([found.lost[factor] for factor in s.names()])
+    d = np.array([found.lost[factor] for factor in factor_names()])
     assert np.abs(d).max() == pytest.approx(1 / found.lower, rel=1e-4)
     assert s._right(s.matrix_at(design, 1.001 * d)) > 0
     assert s._right(s.matrix_at(design, 0.9 * d)) < 0

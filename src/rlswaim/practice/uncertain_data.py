@@ -1,6 +1,6 @@
 """How far all data of a vehicle may be off at once: bounds of the structured singular value.
 
-``python -m rlswaim.practice.structured`` prints ``data/structured.csv``.
+``python -m rlswaim.practice.uncertain_data`` prints ``data/uncertain_data.csv``.
 
 Each factor of ``data/dispersions.csv`` is nominal at d_i = 0 and at its ends at d_i = -1 and 1.  To the first
 order the closed loop is A + sum d_i E_i F_i, with thin E_i and F_i.  On the line s = a + j omega, a being the
@@ -12,7 +12,6 @@ in full too, not to the first order alone.
 """
 
 import sys
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +21,13 @@ from scipy.optimize import brentq
 
 from rlswaim.edition.adaptation import adapted
 from rlswaim.practice.designs import Design, designs
-from rlswaim.practice.dispersed import consistent_booster, dispersed, with_gravity
+from rlswaim.practice.dispersed import (
+    consistent_booster,
+    dispersed,
+    factor_names,
+    factors_at,
+    with_gravity,
+)
 from rlswaim.practice.singular_value import upper_bound
 from rlswaim.practice.synthesis import slowest
 from rlswaim.source.tables import number, read_table
@@ -46,27 +51,6 @@ REFINED = 4
 """Rounds in which two frequencies are added about the highest peak."""
 
 
-@cache
-def names() -> tuple[str, ...]:
-    """Return the names of all factors, in the order of d."""
-    return tuple(row["factor"] for row in read_table("dispersions"))
-
-
-def factors_at(d: NDArray) -> dict[str, float]:
-    """Return the factors of a vehicle by name.
-
-    Parameters
-    ----------
-    d : ndarray, shape (factors,)
-        1 and -1 are the ends of each spread; larger values go on beyond.
-    """
-    found = {}
-    for row, x in zip(read_table("dispersions"), d, strict=True):
-        spread = number(row["spread"])
-        found[row["factor"]] = float(spread**x if row["kind"] == "log" else 1 + spread * x)
-    return found
-
-
 def matrix_at(design: Design, d: NDArray) -> NDArray:
     """Return the matrix of a design's closed loop around a vehicle.
 
@@ -74,7 +58,7 @@ def matrix_at(design: Design, d: NDArray) -> NDArray:
     ----------
     design : Design
     d : ndarray, shape (factors,)
-        As in `factors_at`.
+        As in `dispersed.factors_at`.
     """
     return np.asarray(design.closed(with_gravity(dispersed(consistent_booster(), factors_at(d)))).A)
 
@@ -103,7 +87,7 @@ def uncertain(design: Design) -> Uncertain:
     ----------
     design : Design
     """
-    zero = np.zeros(len(names()))
+    zero = np.zeros(len(factor_names()))
     A, (scale, _) = matrix_balance(matrix_at(design, zero), permute=False, separate=True)
     E, F = [], []
     for unit in np.eye(zero.size):
@@ -225,15 +209,15 @@ def bounds(design: Design) -> Bounds:
     system = uncertain(design)
     found = lost_vehicle(design, system)
     omega, values = over_frequency(system, found.crossing)
-    lost = dict(zip(names(), found.d.tolist(), strict=True))
+    lost = dict(zip(factor_names(), found.d.tolist(), strict=True))
     top, at = float(values.max()), float(omega[values.argmax()])
     return Bounds(top, at, 1 / found.first_order, 1 / found.size, lost, (omega, values))
 
 
 def stored() -> dict[str, Bounds]:
-    """Return the stored table ``data/structured.csv`` by design."""
+    """Return the stored table ``data/uncertain_data.csv`` by design."""
     rows: dict[str, list[tuple[str, float, float]]] = {}
-    for row in read_table("structured"):
+    for row in read_table("uncertain_data"):
         rows.setdefault(row["design"], []).append((row["quantity"], number(row["at"]), number(row["value"])))
     found = {}
     for name, all_ in rows.items():
@@ -241,7 +225,7 @@ def stored() -> dict[str, Bounds]:
         curve = np.array(
             [(at, value) for quantity, at, value in all_ if quantity == "upper over frequency"]
         ).T
-        lost = {factor: single[factor][1] for factor in names()}
+        lost = {factor: single[factor][1] for factor in factor_names()}
         upper = single["upper"]
         first, lower = single["first order"][1], single["lower"][1]
         found[name] = Bounds(upper[1], upper[0], first, lower, lost, (curve[0], curve[1]))
@@ -249,7 +233,7 @@ def stored() -> dict[str, Bounds]:
 
 
 def main() -> None:
-    """Print the table ``data/structured.csv``."""
+    """Print the table ``data/uncertain_data.csv``."""
     print("design,quantity,at,value")
     for name, design in designs().items():
         if name not in JUDGED:
