@@ -88,8 +88,8 @@ def wall(x):
 
 
 def wrong(x):
-    """Return a function that rises where its slope says that it falls, so that no trial is taken."""
-    return x.sum(), -np.ones(3)
+    """Return a function that falls by half of what a step must bring of its slope: no trial is taken."""
+    return -0.5 * LESS * x.sum(), -np.ones(3)
 
 
 @pytest.mark.parametrize(("function", "rounds"), [(bowl, 16), (bend, 60), (wall, 70), (wrong, 60)])

@@ -147,3 +147,12 @@ def test_the_map_refuses_stations_off_the_vehicle():
         ValueError, match=r"sensors\[1\] in station_map: got station 421 ft, wanted 0 to 420 ft"
     ):
         station_map(rl.printed_equations(), [0.0, 421.0], [0.0], **GAINS)
+
+
+def test_without_a_bar_nothing_is_printed(tmp_path, capfd):
+    """The map has no bar unless one is asked for, and a sweep that keeps its chunks tells nothing of them."""
+    station_map(rl.printed_equations(), [39.0], [56.0, 140.0], **GAINS)
+    quiet(weigh, GRID, chunk=4, path=tmp_path / "saved.nc")
+    assert capfd.readouterr() == ("", "")
+    station_map(rl.printed_equations(), [39.0], [56.0, 140.0], progress=True, **GAINS)
+    assert "2/2" in capfd.readouterr().err
