@@ -199,6 +199,16 @@ def test_the_vehicle_along_the_burn_has_the_speed_and_air_of_the_flight():
     assert flight.gamma_0 == pytest.approx(np.pi / 2 * (1 - at / 110))
 
 
+def test_the_last_of_the_flight_conditions_is_at_the_largest_pressure_of_the_flight():
+    ascent = trajectory.swaim_ascent()
+    program = trajectory.level_at_burnout(ascent)
+    found = consistent_vehicles.flight_conditions(rl.swaim_booster(), ascent, program)
+    flight = found["integrated, at its largest q_D"]
+    around = trajectory.fly(ascent, program, [0.0, flight.t - 0.5, flight.t, flight.t + 0.5])
+    assert flight.q_D == pytest.approx(around.q_D[2], rel=1e-5)
+    assert flight.q_D > max(around.q_D[1], around.q_D[3])
+
+
 # ---- what a loop bears, as the book's table says it
 
 
