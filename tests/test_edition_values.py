@@ -9,6 +9,7 @@ import rlswaim as rl
 from rlswaim.edition import (
     conclusions,
     consistent_vehicles,
+    designs,
     firm_claims,
     matching,
     reduced_loading,
@@ -160,6 +161,30 @@ def test_a_printed_root_gives_its_own_numbers_again(section, start):
         for kind in kinds:
             assert matching.KINDS[kind](root) == pytest.approx(rows[f"{name}-{kind}"], rel=1e-12)
         assert root.imag >= 0
+
+
+@pytest.mark.parametrize(
+    ("section", "start", "text"),
+    [
+        ("IV", "eq92-p", "1.31, −1.543, −.012 ± j1.15, −.031 ± j3.051"),
+        ("IV", "eq77-", "1.08, −1.28, s² + .0406 s + 1.817, −10, 0"),
+        ("IV", "fig8-mode1", "2 rad/s and 0.5"),
+        ("V", "eq108-z", "3.2 ± j2.625, −3.315 ± j3.81"),
+        ("VII", "eq135-", "1.348, 28.121, −1.513, −.3 ± j3.648"),
+    ],
+    ids=["Eq. 92", "Eq. 77", "Figure 8", "Eq. 108", "Eq. 135"],
+)
+def test_printed_roots_are_told_with_the_report_s_digits(section, start, text):
+    assert matching.as_printed(section, start) == text
+
+
+def test_instruments_stand_where_the_report_puts_them():
+    """Gyros of Section IV, sensors of Sections V to VII, the jet of Figure 24."""
+    assert designs.instrument_stations() == {
+        "gyros": (60, 304, 400),
+        "linear sensors": (20, 39, 140, 300, 420),
+        "jet": (140,),
+    }
 
 
 def test_a_coefficient_moves_by_units_of_its_last_printed_digit():

@@ -8,6 +8,7 @@ import rlswaim as rl
 from exact import exact_roots, off_the_polyline, relative_errors
 from rlswaim.rootlocus import polynomials
 from rlswaim.rootlocus.adaptive_gains import default_axes
+from rlswaim.rootlocus.branches import continuous_branches
 from rlswaim.rootlocus.open_loop import open_loop
 from systems import mismatch
 from test_locus_accuracy import random_system, report_loop
@@ -165,3 +166,11 @@ def test_asymptotes_along_the_axis_are_crossed_where_they_lean_over_it_alone(les
         # The roots are rounded, and far out that counts far^2 times.
         assert found[1].gain == pytest.approx(((2 - less) * far**2 - 4) / 2, rel=1e-5)
         assert found[1].direction == 1
+
+
+def test_branches_go_on_from_each_set_to_the_next():
+    """Two roots go once around each other, and the sets come in any order; a third stays where it is."""
+    turn, rng = np.linspace(0, 2 * np.pi, 60), np.random.default_rng(1964)
+    ways = np.stack([np.exp(1j * turn), -np.exp(1j * turn), np.full(60, 5 + 0j)], axis=1)
+    mixed = np.array([ways[0], *(rng.permutation(row) for row in ways[1:])])
+    assert continuous_branches(mixed) == pytest.approx(ways)

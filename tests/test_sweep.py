@@ -142,6 +142,11 @@ def test_the_map_is_the_largest_real_part():
             assert found.sel(sensor=sensor, jet=jet).item() == pytest.approx(poles.real.max(), abs=1e-9)
 
 
+def test_the_file_of_a_map_is_given_by_name(tmp_path):
+    with pytest.raises(TypeError, match="positional"):
+        station_map(rl.printed_equations(), [39.0], [140.0], tmp_path / "map.nc", **GAINS)
+
+
 def test_the_map_refuses_stations_off_the_vehicle():
     with pytest.raises(
         ValueError, match=r"sensors\[1\] in station_map: got station 421 ft, wanted 0 to 420 ft"
