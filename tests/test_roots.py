@@ -146,8 +146,10 @@ def test_values_and_slopes_of_polynomials_are_numpy_s(count):
 def test_a_common_factor_of_both_polynomials_changes_no_locus(factor):
     """Its roots are those of 3 s^3 + 6 s^2 + 9 s + 12 + k (2 s + 4), its meetings and crossings the same."""
     found = rl.root_locus(control.tf([2 * factor, 4 * factor], factor * np.array([3, 6, 9, 12])), [0.0, 1.5])
-    for gain, roots in zip((0.0, 1.5), found.roots, strict=True):
-        assert mismatch(roots, np.roots([3, 6, 9 + 2 * gain, 12 + 4 * gain])) < 1e-12
+    for gain, roots, condition in zip((0.0, 1.5), found.roots, found.condition, strict=True):
+        one = np.poly1d([3, 6, 9 + 2 * gain, 12 + 4 * gain])
+        assert mismatch(roots, one.roots) < 1e-12
+        assert condition == pytest.approx(one(np.abs(roots)) / np.abs(roots * one.deriv()(roots)))
     (crossing,) = found.crossings  # 6 (9 + 2 k) = 3 (12 + 4 k) has no answer
     assert (crossing.gain, crossing.omega, crossing.direction) == (pytest.approx(-3), 0, -1)
 
