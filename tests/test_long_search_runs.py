@@ -24,10 +24,17 @@ class Cube:
         return dict(zip(self.sought, u.tolist(), strict=True))
 
 
+class Asked(list):
+    """What descents are asked for; ``ends`` has for each end that is settled which descents it came from."""
+
+    def __init__(self):
+        self.ends = []
+
+
 @pytest.fixture
 def told(monkeypatch):
     """Replace descents by ones that stay where they start and cost ten loops each; return what is asked."""
-    asked = []
+    asked = Asked()
 
     def descended(costs, start, rounds, enough):
         asked.append((start, rounds, enough))
@@ -35,7 +42,7 @@ def told(monkeypatch):
 
     monkeypatch.setattr(long_searches, "descended", descended)
     monkeypatch.setattr(long_searches, "costs_and_slopes", lambda problem, u: (problem.cost(u), None))
-    monkeypatch.setattr(long_searches, "settled", lambda problem, u: u)
+    monkeypatch.setattr(long_searches, "settled", lambda problem, u: asked.ends.append(len(asked)) or u)
     return asked
 
 
@@ -58,13 +65,18 @@ def test_a_run_begins_at_the_best_of_many_random_places(told):
     assert run.count == 400 * N + 10 * sum(s.shape[1] for s, *_ in told)
 
 
+def test_every_way_begins_elsewhere():
+    assert len({*long_searches.SEEDS, *long_searches.ADAPTATIONS}) == 4
+
+
 def test_a_run_may_begin_with_the_people_of_an_evolution(told, monkeypatch):
     people = np.random.default_rng(1).random((N, 15 * N))
-    seen = []
+    people[:, 0], seen = [0, 1, 0], []
     monkeypatch.setattr(long_searches, "evolution", lambda *given: seen.append(given) or people)
     run = long_searches._Run(Cube(distance), 1965).go(evolve=True)
     assert seen[0][1:] == (10 * N, 15, 1965)
-    assert sorted(distance(told[0][0])) == pytest.approx(sorted(distance(people)))
+    assert sorted(distance(told[0][0])) == pytest.approx(sorted(distance(people)), abs=1e-5)
+    assert ((told[0][0] > 0) & (told[0][0] < 1)).all()  # at a side an angle has no slope
     assert run.count == (10 * N + 1) * 15 * N + 10 * sum(s.shape[1] for s, *_ in told)
 
 
@@ -73,6 +85,7 @@ def test_jumps_go_around_the_best_and_stay_in_the_cube(told, monkeypatch):
     monkeypatch.setattr(long_searches, "evolution", lambda *_: np.full((N, 15 * N), 0.5))
     long_searches._Run(Cube(lambda u: np.abs(u - 0.5).max(axis=0)), 1964).go(evolve=True)
     assert len(told) == 7
+    assert [told.ends.count(k) for k in range(1, 8)] == [12, *[4] * 6]
     for hop, (starts, rounds, _) in enumerate(told[1:]):
         assert starts.shape == (N, 6 * N)
         assert rounds == 80
