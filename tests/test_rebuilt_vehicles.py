@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 import rlswaim as rl
 from exact import paired
-from rlswaim.edition import conclusions, printed_closures, robustness, search, table_3
+from rlswaim.edition import conclusions, printed_closures, robustness, search, table_3, table_3_readings
 from rlswaim.edition.table_3 import deciding_gains
 from rlswaim.loops import closures
 from rlswaim.loops.given_shapes import with_shapes
@@ -227,3 +227,24 @@ def test_deciding_gains_are_those_at_which_something_changes(sensor, jet):
         assert np.abs(found - gain).min() <= 1e-6 * abs(gain)
     for gain in found[np.abs(found) > 1e-6]:
         assert np.abs(wanted - gain).min() <= 1e-6 * abs(gain)
+
+
+def first_changes(loop, phi):
+    """Return how the distances of both modes' roots from the origin change at a little gain."""
+    eqs, ends = table_3_readings.read_so(EQS, loop, phi), []
+    for gain in (1e-3, -1e-3):
+        found = np.roots(closures.closure_1_polynomial(eqs, loop, gain)[::-1])
+        ends.append(sorted(np.abs(found[found.imag > 0])))
+    return np.subtract(*ends) / 2e-3
+
+
+@pytest.mark.parametrize(("case", "barred"), [(1, False), (3, True), (16, False)])
+def test_a_pair_is_barred_if_each_sign_lowers_one_mode_at_every_corner_of_the_box(case, barred):
+    loop = DESIGN._replace(sensor=TRIALS[case - 1].sensor, jet=TRIALS[case - 1].jet)
+    phi = np.array([m.deflection(x) for x in (loop.sensor, loop.jet) for m in EQS.modes])
+    rates = [first_changes(loop, phi * (1 + 0.05 * np.array(signs))) for signs in product((-1, 1), repeat=4)]
+    falls, rises = ((np.sign(rates) == sign).all(axis=0).any() for sign in (-1, 1))
+    (found,) = table_3_readings.readings(EQS, [TRIALS[case - 1]], samples=0)
+    assert found.barred == (falls and rises) == barred
+    assert found.total == 17
+    assert sorted(map(tuple, table_3_readings.CORNERS)) == list(product((-1, 1), repeat=4))
