@@ -176,3 +176,13 @@ def test_branches_go_on_from_each_set_to_the_next():
     ways = np.stack([np.exp(1j * turn), -np.exp(1j * turn), np.full(60, 5 + 0j)], axis=1)
     mixed = np.array([ways[0], *(rng.permutation(row) for row in ways[1:])])
     assert continuous_branches(mixed) == pytest.approx(ways)
+
+
+def test_a_close_look_beside_the_real_axis_is_as_true():
+    """Where a branch leaves the pole of the second mode; the lower half plane is out of sight."""
+    system, near = SYSTEMS["section IV"], (-0.06, 0.0, 3.03, 3.07)
+    exact = rl.root_locus(system, np.geomspace(1e-6, 1, 2000)).roots.ravel()
+    exact = exact[(exact.imag > near[2]) & (exact.imag < near[3])]
+    drawn = rl.root_locus(system, axes=near).roots
+    assert (np.abs(exact - (-0.0308 + 3.0506j)) < 0.02).sum() > 100
+    assert off_the_polyline(exact, drawn, near) < 0.25
