@@ -89,6 +89,7 @@ def test_samples_stay_within_the_last_digit_and_repeat():
     first, again = (conditioning.monte_carlo(LOOPS["Eq. 41"], 50) for _ in range(2))
     assert np.array_equal(first, again)
     assert not np.array_equal(first, conditioning.monte_carlo(LOOPS["Eq. 41"], 50, seed=1))
+    assert conditioning.monte_carlo(LOOPS["Eq. 41"]).shape == (2000, 6)  # as the book says
 
 
 def test_spread_is_first_order_where_a_root_is_well_conditioned():

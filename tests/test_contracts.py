@@ -1,6 +1,7 @@
 """What holds for the code as text: which way imports point, types, style, bounds, documented arguments."""
 
 import ast
+import dataclasses
 import importlib
 import inspect
 import pkgutil
@@ -147,3 +148,17 @@ def test_a_room_imports_only_rooms_behind_it(room):
 def test_every_module_has_a_room():
     flat = {path.name for path in (ROOT / "src" / "rlswaim").iterdir() if path.name != "__pycache__"}
     assert flat == {*ROOMS, "__init__.py"}
+
+
+DATACLASSES = {
+    f"{name}.{thing.__name__}": thing
+    for name, module in modules().items()
+    for thing in vars(module).values()
+    if inspect.isclass(thing) and thing.__module__ == name and dataclasses.is_dataclass(thing)
+}
+
+
+@pytest.mark.parametrize("name", DATACLASSES)
+def test_what_is_made_is_not_changed(name):
+    """Functions keep what they found for a vehicle or a loop, so that none may change afterwards."""
+    assert DATACLASSES[name].__dataclass_params__.frozen

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 import rlswaim as rl
 from pages import show
+from rlswaim.edition import corrected_loops
 from rlswaim.edition.ledger import coefficient_frame
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle import coupling
@@ -54,6 +55,13 @@ def test_eq_52_needs_its_division_by_the_speed():
     as_printed = coupling.literal_coupling(BOOSTER, as_printed=True)
     assert as_printed[2] == pytest.approx(exact[2] * BOOSTER.flight.U)
     assert abs(as_printed[1]) > 100 * abs(exact[1])
+
+
+def test_the_report_s_loop_of_the_coupling_has_the_printed_coefficients():
+    """Eq. 51 over Eq. 50, with the powers of s that both print."""
+    loop = corrected_loops.coupling_loops(PRINTED)["report"]
+    assert loop.num[0][0].tolist() == [-9.94, 463, -4730, 0]
+    assert loop.den[0][0].tolist() == [1, 0.2317, 0.4417, 0.0472, 0.0363, 0]
 
 
 def with_first_mode(phi_payload, phi_fins):

@@ -1,5 +1,6 @@
 """Open loops against the closed loops as state space, and what no gains can change."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -13,6 +14,7 @@ import rlswaim as rl
 from rlswaim.edition import section_4, section_5, section_6
 from rlswaim.loops import certificates, factors, gain_terms, named_branches
 from rlswaim.loops import transfer_functions as tf
+from rlswaim.loops.rigid_body_design import rigid_body, rigid_design
 from rlswaim.rootlocus.polynomials import roots
 
 EQS = rl.printed_equations()
@@ -227,3 +229,64 @@ def test_bad_gains_and_stations_are_refused(call):
         call(EQS, float("nan"), *extra)
     with pytest.raises(ValueError, match="wanted 0 to 420 ft"):
         call(EQS, 10, *extra[:-1], 500.0)
+
+
+def test_poles_have_the_names_of_the_motions_that_become_them():
+    """Rigid body, first and second mode in the order of their size: Eq. 41's roots, two of them real."""
+    named = named_branches.named_poles(EQS)
+    by_name = {name: [pole for pole, own in named if own == name] for _, name in named}
+    found = roots(EQS.characteristic_polynomial())
+    first, second = sorted(found[found.imag > 0], key=abs)
+    assert by_name["attitude"] == [0]
+    assert sorted(p.real for p in by_name["short period"]) == pytest.approx([-1.543, 1.310], abs=5e-4)
+    for name, pole in (("mode 1", first), ("mode 2", second)):
+        assert by_name[name] == pytest.approx([pole, pole.conjugate()]) or by_name[name] == pytest.approx(
+            [pole.conjugate(), pole]
+        )
+
+
+def test_a_loop_that_is_closed_with_no_gain_keeps_its_locus_over_positive_gains():
+    loop, starts = tf.inner_loop(EQS, 10, 140), named_branches.open_loop_parts(EQS, 10)
+    found = named_branches.named_locus(loop, 0.0, starts)
+    wanted = rl.root_locus(loop)
+    assert same_roots(found.locus.roots[len(wanted.gains) // 2], wanted.roots[len(wanted.gains) // 2])
+    assert same_roots(found.poles, wanted.roots[0])
+
+
+def test_polynomials_have_a_coefficient_for_each_of_nine_powers():
+    """The vehicle's seven states and the actuator's: s^8 with the coefficient 1, which the lag alone has."""
+    terms = gain_terms.gain_terms(EQS, 60.0, [140.0])
+    assert {p.shape for p in terms.values()} == {(9,)}
+    assert [p[8] for p in terms.values()] == pytest.approx([1, 0, 0, 0, 0], abs=1e-12)
+
+
+def test_where_no_weights_cancel_the_gains_there_are_none():
+    front, fins = rl.swaim_booster().surfaces
+    halved = replace(front, C_Nalpha=front.C_Nalpha / 2)
+    eqs = rl.perturbation_equations(replace(rl.swaim_booster(), surfaces=(halved, fins)))
+    found = certificates.stability_certificate(eqs, 370.0)
+    assert found.margin == np.inf
+    assert found.weights.tolist() == [0] * 8
+
+
+CALLS = {
+    rl.rate_attitude: {"K_A": 1.8, "K_C": 10, "K_R": 0.6, "gyro": 60},
+    rl.single_sensor: {"K_A": 1.8, "K_C": 10, "K_R": 0.6, "K_z": 0.1, "sensor": 60},
+    rl.two_sensor: {
+        **{"K_A": 1.8, "K_C": 10, "K_R": 0.6, "K_za": 0.1, "K_zb": 0.2},
+        **{"sensor_a": 60, "sensor_b": 300},
+    },
+    rl.dual_actuation: {
+        **{"K_A": 1.8, "K_C": 10, "K_R": 0.6, "kK_z": 1e4, "K_r": 10, "b": 3},
+        **{"sensor": 60, "jet": 56},
+    },
+    rigid_design: {"omega": 2.0, "zeta": 0.5, "K_C": 10},
+}
+
+
+@pytest.mark.parametrize("function", CALLS, ids=lambda function: function.__name__)
+def test_gains_are_given_by_name_and_never_by_place(function):
+    start = rigid_body(EQS) if function is rigid_design else EQS
+    function(start, **CALLS[function])
+    with pytest.raises(TypeError, match="positional"):
+        function(start, *CALLS[function].values())

@@ -99,3 +99,11 @@ def test_refused(tmp_path, old, new, words):
     path.write_text(text.replace(old, new), encoding="utf-8")
     with pytest.raises(ValueError, match=words):
         rl.read_booster(path)
+
+
+def test_a_mass_may_lie_at_the_centre_of_gravity(tmp_path):
+    text = "\n".join(line for line in LINES if not line.startswith("mass,"))
+    text += "\nmass,a,100,50\nmass,b,200,70\nmass,c,300,50\n"
+    (tmp_path / "even.csv").write_text(text, encoding="utf-8")
+    booster = rl.read_booster(tmp_path / "even.csv")
+    assert (booster.M, booster.l_CG, booster.I_y) == pytest.approx((170, 200, 1e6))

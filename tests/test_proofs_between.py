@@ -120,3 +120,19 @@ def test_a_weight_that_turns_negative_on_the_stretch_proves_nothing(end):
     )
     least = exact_programs.proved_least(program, Fraction(0), end)
     assert (least == 1) if end * end <= 2 else (least is None)
+
+
+def bending(depth):
+    """Return the program whose first unknown is 1 - depth t (1 - t) times the second, which is 1."""
+
+    def rows(t):
+        return [[Fraction(1), -(1 - depth * t * (1 - t))], [Fraction(0), Fraction(1)]]
+
+    zero, one = Fraction(0), Fraction(1)
+    return exact_programs.Program([zero, one], rows, [zero, one], 2)
+
+
+@pytest.mark.parametrize(("depth", "least"), [(2, 1), (6, None)], ids=["above 0", "below 0 in between"])
+def test_an_unknown_that_turns_negative_between_the_ends_proves_nothing(depth, least):
+    """At both ends it is 1, and in the middle 1 - depth/4."""
+    assert exact_programs.proved_least(bending(Fraction(depth)), Fraction(0), Fraction(1)) == least

@@ -9,8 +9,11 @@ from scipy.optimize import brentq
 
 import rlswaim as rl
 from exact import paired
-from rlswaim.edition import conclusions, printed_closures, robustness, search, table_3
+from rlswaim.edition import conclusions, printed_closures, robustness, search, table_3, table_3_readings
+from rlswaim.edition.table_3 import deciding_gains
+from rlswaim.loops import closures
 from rlswaim.loops.given_shapes import with_shapes
+from rlswaim.vehicle.coupling import elastic_poles
 
 BOOSTER = rl.swaim_booster()
 EQS, OWN = rl.printed_equations(), rl.perturbation_equations(BOOSTER)
@@ -188,3 +191,60 @@ def test_a_pair_may_steady_at_gains_between_and_not_at_the_last(sensor, jet, ins
 def test_the_pairs_that_steady_do_so_at_the_gain_of_figure_24():
     steady = [p for p in TRIALS if p.steadies]
     assert [(p.case, p.sign, p.unstable) for p in steady] == [(1, 1, 0), (4, -1, 0)]
+
+
+def sign_changes(function, edges):
+    """Return where a function changes its sign between edges."""
+    values = [function(x) for x in edges]
+    pairs = zip(edges[:-1], edges[1:], values[:-1], values[1:], strict=True)
+    return [brentq(function, a, b, xtol=1e-13) for a, b, left, right in pairs if left * right < 0]
+
+
+@pytest.mark.parametrize(("sensor", "jet"), [(264.0, 72.0), (420.0, 72.0), (39.0, 140.0)])
+def test_deciding_gains_are_those_at_which_something_changes(sensor, jet):
+    """Double real roots, roots on the imaginary axis and roots as far out as the modes, from -D/N itself.
+
+    A root at rest belongs to N and D alike, and is left out.
+    """
+    opened = closures.closure_1_open_loop(EQS, DESIGN._replace(sensor=sensor, jet=jet))
+    N, D = (np.polynomial.Polynomial(p[0][0][::-1][1:]) for p in (opened.num, opened.den))
+    sizes, span = [abs(pole) for pole in elastic_poles(EQS)], np.linspace(1e-3, np.pi - 1e-3, 4001)
+    meetings = (D * N.deriv() - N * D.deriv()).roots()
+    places = [s.real for s in meetings if abs(s.imag) < 1e-7 * abs(s)]
+
+    def phase(s):
+        return float((-D(s) * np.conj(N(s))).imag)
+
+    places += [1j * w for w in sign_changes(lambda w: phase(1j * w), np.geomspace(1e-4, 1e3, 8001))]
+    for size in sizes:  # the modes themselves are so far out at gain 0
+        on = sign_changes(lambda x, size=size: phase(size * np.exp(1j * x)), span)
+        places += [*(size * np.exp(1j * np.array(on))), size, -size]
+    wanted = np.array([(-D(s) / N(s)).real for s in [*places, 0.0]])
+    wanted = wanted[(np.abs(wanted) <= abs(LARGEST)) & (np.abs(wanted) > 1e-6)]
+    found = deciding_gains(opened, sizes, LARGEST)
+    assert len(wanted) > 4
+    for gain in wanted:
+        assert np.abs(found - gain).min() <= 1e-6 * abs(gain)
+    for gain in found[np.abs(found) > 1e-6]:
+        assert np.abs(wanted - gain).min() <= 1e-6 * abs(gain)
+
+
+def first_changes(loop, phi):
+    """Return how the distances of both modes' roots from the origin change at a little gain."""
+    eqs, ends = table_3_readings.read_so(EQS, loop, phi), []
+    for gain in (1e-3, -1e-3):
+        found = np.roots(closures.closure_1_polynomial(eqs, loop, gain)[::-1])
+        ends.append(sorted(np.abs(found[found.imag > 0])))
+    return np.subtract(*ends) / 2e-3
+
+
+@pytest.mark.parametrize(("case", "barred"), [(1, False), (3, True), (16, False)])
+def test_a_pair_is_barred_if_each_sign_lowers_one_mode_at_every_corner_of_the_box(case, barred):
+    loop = DESIGN._replace(sensor=TRIALS[case - 1].sensor, jet=TRIALS[case - 1].jet)
+    phi = np.array([m.deflection(x) for x in (loop.sensor, loop.jet) for m in EQS.modes])
+    rates = [first_changes(loop, phi * (1 + 0.05 * np.array(signs))) for signs in product((-1, 1), repeat=4)]
+    falls, rises = ((np.sign(rates) == sign).all(axis=0).any() for sign in (-1, 1))
+    (found,) = table_3_readings.readings(EQS, [TRIALS[case - 1]], samples=0)
+    assert found.barred == (falls and rises) == barred
+    assert found.total == 17
+    assert sorted(map(tuple, table_3_readings.CORNERS)) == list(product((-1, 1), repeat=4))

@@ -57,3 +57,19 @@ def test_a_pair_in_place_of_two_real_roots_is_refused():
     body = RigidBody(c_0=-3.4, c_1=1.9, g_0=4.8, g_1=2.2)
     with pytest.raises(ValueError, match="wanted real roots"):
         rigid_design(body, omega=1.6, zeta=0.5, K_C=6.5)
+
+
+@pytest.mark.parametrize(("ratio", "real"), [(3.5, False), (4.5, True)])
+def test_the_two_other_roots_are_refused_where_they_turn_complex(ratio, real):
+    """A body is put together whose a + b and a b are given: complex if (a + b)^2 is below 4 a b."""
+    product, total, c_0 = 1.0, np.sqrt(ratio), 2.0  # with omega = 1, zeta = 1/2, c_1 = 0, g_0 = 1
+    K_C, x = total + 1, product
+    s2, s1 = 1 + total + product, total + product  # of (s^2 + s + 1)(s^2 + total s + product)
+    g_1 = np.roots([x, -(s1 - c_0 * K_C), s2 - c_0])[0].real
+    body = RigidBody(c_0=c_0, c_1=0.0, g_0=1.0, g_1=g_1)
+    if real:
+        found = rigid_design(body, omega=1.0, zeta=0.5, K_C=K_C)
+        assert (found.a + found.b, found.a * found.b) == pytest.approx((total, product))
+    else:
+        with pytest.raises(ValueError, match="wanted real roots"):
+            rigid_design(body, omega=1.0, zeta=0.5, K_C=K_C)

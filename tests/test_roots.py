@@ -8,6 +8,7 @@ import rlswaim as rl
 from exact import exact_roots, off_the_polyline, relative_errors
 from rlswaim.rootlocus import polynomials
 from rlswaim.rootlocus.adaptive_gains import default_axes
+from rlswaim.rootlocus.branches import continuous_branches
 from rlswaim.rootlocus.open_loop import open_loop
 from systems import mismatch
 from test_locus_accuracy import random_system, report_loop
@@ -124,3 +125,64 @@ def test_real_roots_keep_their_order_between_break_aways(sign):
     order = locus.roots[0].real.argsort()
     assert (np.diff(locus.roots.real[:, order], axis=1) > 0).all()
     assert (sign * np.diff(locus.roots.real, axis=0) < 0).all()
+
+
+@pytest.mark.parametrize("count", [None, 1, 3], ids=["one polynomial", "a column", "three columns"])
+def test_values_and_slopes_of_polynomials_are_numpy_s(count):
+    """Each column of the coefficients belongs to the same column of the places."""
+    rng = np.random.default_rng(1964)
+    shape = () if count is None else (count,)
+    p, s = rng.standard_normal((6, *shape)), rng.standard_normal((4, *shape)) + 1j
+    found = polynomials.horner(p, s)
+    for i in range(count or 1):
+        column, places = (p, s) if count is None else (p[:, i], s[:, i])
+        one = np.polynomial.Polynomial(column)
+        wanted = one(places), one.deriv()(places), np.polynomial.Polynomial(np.abs(column))(np.abs(places))
+        for ours, theirs in zip(found, wanted, strict=True):
+            assert (ours if count is None else ours[:, i]) == pytest.approx(theirs, rel=1e-12)
+
+
+@pytest.mark.parametrize("factor", [1.0, 7.0, -0.03])
+def test_a_common_factor_of_both_polynomials_changes_no_locus(factor):
+    """Its roots are those of 3 s^3 + 6 s^2 + 9 s + 12 + k (2 s + 4), its meetings and crossings the same."""
+    found = rl.root_locus(control.tf([2 * factor, 4 * factor], factor * np.array([3, 6, 9, 12])), [0.0, 1.5])
+    for gain, roots, condition in zip((0.0, 1.5), found.roots, found.condition, strict=True):
+        one = np.poly1d([3, 6, 9 + 2 * gain, 12 + 4 * gain])
+        assert mismatch(roots, one.roots) < 1e-12
+        assert condition == pytest.approx(one(np.abs(roots)) / np.abs(roots * one.deriv()(roots)))
+    (crossing,) = found.crossings  # 6 (9 + 2 k) = 3 (12 + 4 k) has no answer
+    assert (crossing.gain, crossing.omega, crossing.direction) == (pytest.approx(-3), 0, -1)
+
+
+@pytest.mark.parametrize("less", [0.0, -1e-7, 1e-7, 1e-5])
+def test_asymptotes_along_the_axis_are_crossed_where_they_lean_over_it_alone(less):
+    """Far out the branches of (s + 2)/(s^3 + (2 - less) s^2 + 3 s + 4) are as near to the axis as one likes.
+
+    D(jw) N(-jw) has the imaginary part 2 w - less w^3.
+    """
+    found = rl.root_locus(control.tf([1, 2], [1, 2 - less, 3, 4]), [0.0]).crossings
+    far = np.sqrt(2 / less) if less > 0 else None
+    assert [c.omega for c in found] == pytest.approx([0.0] if far is None else [0.0, far], rel=1e-6)
+    assert found[0].gain == pytest.approx(-2)
+    if far:
+        # The roots are rounded, and far out that counts far^2 times.
+        assert found[1].gain == pytest.approx(((2 - less) * far**2 - 4) / 2, rel=1e-5)
+        assert found[1].direction == 1
+
+
+def test_branches_go_on_from_each_set_to_the_next():
+    """Two roots go once around each other, and the sets come in any order; a third stays where it is."""
+    turn, rng = np.linspace(0, 2 * np.pi, 60), np.random.default_rng(1964)
+    ways = np.stack([np.exp(1j * turn), -np.exp(1j * turn), np.full(60, 5 + 0j)], axis=1)
+    mixed = np.array([ways[0], *(rng.permutation(row) for row in ways[1:])])
+    assert continuous_branches(mixed) == pytest.approx(ways)
+
+
+def test_a_close_look_beside_the_real_axis_is_as_true():
+    """Where a branch leaves the pole of the second mode; the lower half plane is out of sight."""
+    system, near = SYSTEMS["section IV"], (-0.06, 0.0, 3.03, 3.07)
+    exact = rl.root_locus(system, np.geomspace(1e-6, 1, 2000)).roots.ravel()
+    exact = exact[(exact.imag > near[2]) & (exact.imag < near[3])]
+    drawn = rl.root_locus(system, axes=near).roots
+    assert (np.abs(exact - (-0.0308 + 3.0506j)) < 0.02).sum() > 100
+    assert off_the_polyline(exact, drawn, near) < 0.25

@@ -142,8 +142,22 @@ def test_the_map_is_the_largest_real_part():
             assert found.sel(sensor=sensor, jet=jet).item() == pytest.approx(poles.real.max(), abs=1e-9)
 
 
+def test_the_file_of_a_map_is_given_by_name(tmp_path):
+    with pytest.raises(TypeError, match="positional"):
+        station_map(rl.printed_equations(), [39.0], [140.0], tmp_path / "map.nc", **GAINS)
+
+
 def test_the_map_refuses_stations_off_the_vehicle():
     with pytest.raises(
         ValueError, match=r"sensors\[1\] in station_map: got station 421 ft, wanted 0 to 420 ft"
     ):
         station_map(rl.printed_equations(), [0.0, 421.0], [0.0], **GAINS)
+
+
+def test_without_a_bar_nothing_is_printed(tmp_path, capfd):
+    """The map has no bar unless one is asked for, and a sweep that keeps its chunks tells nothing of them."""
+    station_map(rl.printed_equations(), [39.0], [56.0, 140.0], **GAINS)
+    quiet(weigh, GRID, chunk=4, path=tmp_path / "saved.nc")
+    assert capfd.readouterr() == ("", "")
+    station_map(rl.printed_equations(), [39.0], [56.0, 140.0], progress=True, **GAINS)
+    assert "2/2" in capfd.readouterr().err

@@ -18,6 +18,7 @@ from rlswaim.vehicle.trajectory import (
     mean_sine,
     speed_for,
     swaim_ascent,
+    turn,
 )
 
 ASCENT = swaim_ascent()
@@ -97,3 +98,9 @@ def test_printed_flight_condition_is_not_consistent():
 def test_bad_input_is_named(call, words):
     with pytest.raises(ValueError, match="^" + words.replace("(", r"\(")):
         call()
+
+
+def test_a_turn_is_upright_at_first_then_even_and_level_at_last():
+    program = turn(10.0, 90.0)
+    angles = [program(t) for t in (0.0, 10.0, 30.0, 50.0, 90.0, 110.0)]
+    assert np.degrees(angles) == pytest.approx([90, 90, 67.5, 45, 0, 0])

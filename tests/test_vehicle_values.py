@@ -7,7 +7,7 @@ import pytest
 
 import rlswaim as rl
 from rlswaim.vehicle import coupling
-from rlswaim.vehicle.equations import PerturbationEquations
+from rlswaim.vehicle.equations import PerturbationEquations, with_reading
 from rlswaim.vehicle.stations import as_stations, increasing_stations
 
 BOOSTER = rl.swaim_booster()
@@ -61,3 +61,8 @@ def test_the_first_station_off_the_vehicle_is_told():
 def test_the_first_station_out_of_order_is_told():
     with pytest.raises(ValueError, match=r"x in here: got x\[2\] = 4 ft after 5 ft"):
         increasing_stations("x", [0.0, 5.0, 4.0, 3.0], "here")
+
+
+def test_a_reading_wants_a_deflection_of_each_mode():
+    with pytest.raises(ValueError, match="shorter"):
+        with_reading(rl.printed_equations(), 60.0, [1.0])

@@ -163,7 +163,7 @@ def _moved(border: _Border, omega: NDArray, slope: NDArray) -> NDArray:
     inverse = np.abs(toward)
     open_slope = (inverse * errors / np.abs(distance)).sum(axis=0)
     open_slope += rounding * np.abs(toward.real).sum(axis=0)
-    step = (inverse * errors).sum(axis=0) / np.abs(slope)
+    step = ((inverse * errors).sum(axis=0) + x.size * EPS) / np.abs(slope)  # the phase is rounded as well
     moved = step * np.maximum(np.abs(toward.sum(axis=0)), np.where(omega > 0, 1 / omega, 0))
     # At infinity the phase is known, and its slope by 1/omega is the sum of weights times Re x.
     beyond = (np.abs(weights) * (errors + rounding * np.abs(x.real))).sum()

@@ -115,8 +115,10 @@ def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
         left = ~settled & _may_pass(least - unsure, most + unsure)
         if level == LEVELS - 1 or PARTS * np.count_nonzero(left) > MOST:
             left, settled = np.zeros_like(left), settled | left
-        passed = settled & (turns[0] != turns[1])
-        found.append((*cells.at(passed), np.pi * turns.max(axis=0)[passed]))
+        target = np.pi * turns.max(axis=0)
+        clear = np.maximum(np.abs(start - target), np.abs(end - target)) > rounding
+        passed = settled & (turns[0] != turns[1]) & clear  # not where rounding alone goes to and fro
+        found.append((*cells.at(passed), target[passed]))
         if not left.any():
             break
         cells = cells.at(left).parts(phases)
