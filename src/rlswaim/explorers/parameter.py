@@ -108,7 +108,7 @@ class Parameter:
         box = (widgets.BoundedIntText if whole else widgets.FloatText)(
             value=getattr(view, self.name),
             tooltip=f"{self.meaning}: {'whole numbers' if whole else 'any value'} from {least:g} to {most:g}",
-            layout={"flex": "0 0 auto", "width": "6.8rem"},
+            layout={"flex": "0 0 auto", "width": "7.8rem"},
             **({"min": least, "max": most} if whole else {}),
         )
         widgets.jslink((view, self.name), (box, "value"))
