@@ -98,7 +98,7 @@ def picture(
     gains = sign * np.unique(np.concatenate([[0.0], lead * DECADES, marks]))
     loop.refuse_infinite(gains)
     (sets, kinds), offset = nearly_connected(closed, closed.sets(gains)), lead * DECADES[0]
-    finer = 1.25
+    finer = 1.5
     while sets.gains.size < MOST:
         size, stray = np.abs(sets.gains), _deviation(sets, axes)
         wide = size[1:] - size[:-1] > 1e-9 * (size[1:] + offset)

@@ -169,7 +169,11 @@ def surely_connected(closed: ClosedLoop, sets: RootSets, kinds: NDArray) -> Root
     RootSets
     """
     at = unsure(closed, sets.at(slice(None, -1)), sets.at(slice(1, None)), kinds)
-    return connected(closed, sets, at) if at.size else sets
+    if not at.size:
+        return sets
+    successors = np.tile(np.arange(closed.order), (sets.gains.size - 1, 1))
+    successors[at] = _followed(closed, sets.at(at), sets.at(at + 1), LEVELS)
+    return sets.in_columns(in_order(successors))
 
 
 def _successors(closed: ClosedLoop, before: RootSets, after: RootSets, levels: int) -> NDArray:
@@ -193,19 +197,38 @@ def _successors(closed: ClosedLoop, before: RootSets, after: RootSets, levels: i
     at = unsure(closed, before, after, kinds[0])
     if not at.size or not levels or (levels < LEVELS and at.size * PIECES > MOST):
         return step
-    low, high = before.at(at), after.at(at)
-    cuts = np.tile(np.arange(at.size), PIECES - 1)
+    way = _followed(closed, before.at(at), after.at(at), levels)
+    step[at] = step[at[:, None], way]
+    return step
+
+
+def _followed(closed: ClosedLoop, low: RootSets, high: RootSets, levels: int) -> NDArray:
+    """Return each root's successor as `_successors` does, by a look at gains in between.
+
+    Parameters
+    ----------
+    closed : ClosedLoop
+    low, high : RootSets
+        At the ends of K intervals, the roots in the order of what the ends tell.
+    levels : int
+        So often an interval may be cut, this time included.
+
+    Returns
+    -------
+    ndarray of int, shape (K, n)
+    """
+    count = low.gains.size
+    cuts = np.tile(np.arange(count), PIECES - 1)
     inner = between(closed, low.at(cuts), high.at(cuts), _cut(low.gains, high.gains).ravel())
     starts, ends = (
         RootSets(*(np.concatenate(parts) for parts in zip(a, b, strict=True)))
         for a, b in ((low, inner), (inner, high))
     )
-    steps = _successors(closed, starts, ends, levels - 1).reshape(PIECES, at.size, -1)
-    way, rows = steps[0], np.arange(at.size)[:, None]
+    steps = _successors(closed, starts, ends, levels - 1).reshape(PIECES, count, -1)
+    way, rows = steps[0], np.arange(count)[:, None]
     for piece in steps[1:]:
         way = piece[rows, way]
-    step[at] = step[at[:, None], way]
-    return step
+    return way
 
 
 def _cut(a: NDArray, b: NDArray) -> NDArray:

@@ -90,8 +90,8 @@ def _without_mirrored(border: _Border) -> tuple[NDArray, NDArray]:
     x, errors = border.points[~border.on_it], border.errors[~border.on_it]
     w = border.weights[~border.on_it].astype(float)
     near = np.abs(x[:, None] + x.conj()) <= SURE * (errors[:, None] + errors)
-    for i, j in zip(*np.nonzero(np.triu(near, 1)), strict=True):
-        if w[i] * w[j] > 0:
+    for i, j in np.argwhere(near):
+        if i < j and w[i] * w[j] > 0:
             both = min(abs(w[i]), abs(w[j])) * np.sign(w[i])
             w[i], w[j] = w[i] - both, w[j] - both
     return x[w != 0], w[w != 0]

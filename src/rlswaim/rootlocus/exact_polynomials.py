@@ -24,7 +24,7 @@ class Exact(NamedTuple):
     @property
     def rounded(self) -> NDArray:
         """The coefficients, each correctly rounded."""
-        return np.array([float(Fraction(c, 1 << self.exponent)) for c in self.integers])
+        return np.array([c / (1 << self.exponent) for c in self.integers])
 
 
 def plus(a: Exact, b: Exact) -> Exact:
@@ -126,15 +126,18 @@ def characteristic_polynomial(A: NDArray, B: NDArray | None = None, C: NDArray |
 def _slope(polynomial: Exact, s: complex) -> tuple[complex, bool]:
     """Return p'(s)/p(s), evaluated without rounding, and whether a root is as near as a float can say."""
     [[x, y]], e = _exact_integers(np.array([[s.real, s.imag]]))
-    (a, b), (c, d) = (polynomial.integers[-1], 0), (0, 0)
-    for power, coefficient in enumerate(polynomial.integers[-2::-1], start=1):
-        c, d = c * x - d * y + a, c * y + d * x + b
-        a, b = a * x - b * y + (coefficient << (e * power)), a * y + b * x
+    # p = q (s^2 - t s + r) + f (s - t) + g, q likewise with h and i: at the root s of the square
+    # s - t = -s* and 2 s - t = 2 j y, so that p = g - f s*, q = i - h s* and p' = f + 2 j y q.
+    t, r, f, g, h, i = 2 * x, x * x + y * y, 0, 0, 0, 0
+    for power, coefficient in enumerate(polynomial.integers[::-1]):
+        h, i = i, f + t * i - r * h
+        f, g = g, (coefficient << (e * power)) + t * g - r * f
+    (a, b), (c, d) = (g - f * x, f * y), (f - 2 * h * y * y, 2 * y * (i - h * x))
     # (a, b) is p(s) 2^(e n), and (c, d) is p'(s) 2^(e (n - 1)).
     size, slope = a * a + b * b, c * c + d * d
     if not size:
         return 0j, True
-    real, imag = (float(Fraction(part << e, size)) for part in (c * a + d * b, d * a - c * b))
+    real, imag = ((part << e) / size for part in (c * a + d * b, d * a - c * b))
     near = size << 104 <= slope * (x * x + y * y)  # |p| <= 2^-52 |s p'|
     return complex(real, imag), near
 

@@ -89,19 +89,12 @@ class OpenLoop:
     @cached_property
     def places(self) -> Places:
         """The distinct poles, then the distinct zeros, without common factors."""
-        (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
-        common_poles, common_zeros = self._common
-        found = []
-        both = (-1, poles, pole_errors, common_poles), (1, zeros, zero_errors, common_zeros)
-        for kind, x, errors, common in both:
-            places: dict[complex, list[float]] = {}
-            for point, error in zip(x[~common].tolist(), errors[~common].tolist(), strict=True):
-                places.setdefault(point, [0, error])[0] += kind
-            found += [(point, *places[point]) for point in np.sort(list(places)).tolist()]
-        columns = zip(*found, strict=True) if found else ((), (), ())
-        return Places(
-            *(np.array(part, kind) for part, kind in zip(columns, (complex, int, float), strict=True))
-        )
+        found, (common_poles, common_zeros) = [], self._common
+        for kind, points, common in (-1, self.pole_points, common_poles), (1, self.zero_points, common_zeros):
+            values, errors = (part[~common] for part in points)
+            distinct, first, counts = np.unique(values, return_index=True, return_counts=True)
+            found.append((distinct, kind * counts, errors[first]))
+        return Places(*(np.concatenate(part) for part in zip(*found, strict=True)))
 
     def polynomials(self, gains: NDArray) -> tuple[NDArray, NDArray]:
         """Return D + k N for ``gains`` k (K,), and |D| + |k N|: each (n + 1, K), constant term first."""

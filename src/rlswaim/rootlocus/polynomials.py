@@ -125,8 +125,9 @@ def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) ->
     the rounding error of the polynomial explains; multiple roots are left as they are.
     """
     found = approximations
-    distance = np.abs(found[:, None] - found[None])
-    nearest = np.where(np.eye(found.size, dtype=bool), np.inf, distance).min(axis=1, initial=np.inf)
+    distance = np.abs(found[:, None] - found)
+    np.fill_diagonal(distance, np.inf)
+    nearest = distance.min(axis=1)
     for _ in range(steps):
         p, slope, terms = horner(coefficients, found)
         with np.errstate(divide="ignore", invalid="ignore"):

@@ -9,7 +9,7 @@ from rlswaim.rootlocus.aberth import EPS
 
 SPREAD = np.array([-8.0, -2.5, -1.0, -0.4, 0.0, 0.4, 1.0, 2.5, 8.0])
 """First points around each place, times its distance from the axis."""
-PARTS = 4
+PARTS = 8
 """An interval is cut into so many."""
 LEVELS = 30
 """So often an interval is cut at most: then it is as narrow as its ends' rounding."""
@@ -109,10 +109,12 @@ def real_frequencies(phases: Phases, tops: NDArray) -> list[NDArray]:
         turns = np.floor(np.array([start, end]) / np.pi)
         slopes = phases.at(cells.which).slope_bounds(cells.low, cells.high)
         settled = ((slopes[0] > 0) | (slopes[1] < 0)) & (np.abs(turns[1] - turns[0]) <= 1)
-        width = cells.high - cells.low
-        unsure = rounding * (1 + width * (slopes[1] - slopes[0]))
-        least, most = _within(start, end, slopes[0] * width, slopes[1] * width)
-        left = ~settled & _may_pass(least - unsure, most + unsure)
+        left = ~settled
+        if left.any():
+            width = cells.high - cells.low
+            unsure = rounding * (1 + width * (slopes[1] - slopes[0]))
+            least, most = _within(start, end, slopes[0] * width, slopes[1] * width)
+            left &= _may_pass(least - unsure, most + unsure)
         if level == LEVELS - 1 or PARTS * np.count_nonzero(left) > MOST:
             left, settled = np.zeros_like(left), settled | left
         target = np.pi * turns.max(axis=0)
@@ -160,14 +162,16 @@ def _within(start: NDArray, end: NDArray, slowest: NDArray, fastest: NDArray) ->
 
 def _first_intervals(phases: Phases, tops: NDArray) -> _Intervals:
     """Return the intervals between 0, points around each place, and the top of each phase."""
-    parts = []
-    for i, (real, imag, top) in enumerate(zip(phases.real.T, phases.imag.T, tops, strict=True)):
-        grid = (imag[:, None] + np.abs(real[:, None]) * SPREAD).ravel()
-        grid = np.unique(np.concatenate([[0.0, top], grid[(grid > 0) & (grid < top)]]))
-        number = np.full(grid.size, i)
-        terms = phases.at(number).terms(grid)
-        parts.append((grid[:-1], grid[1:], number[1:], terms[:, :-1], terms[:, 1:]))
-    return _Intervals(*(np.concatenate(part, axis=-1) for part in zip(*parts, strict=True)))
+    grid = phases.imag + np.abs(phases.real) * SPREAD[:, None, None]
+    grid = np.vstack([0 * tops, tops, grid.reshape(-1, tops.size)])
+    grid = np.sort(np.clip(grid, 0, tops), axis=0).T
+    which, at = np.nonzero(grid[:, 1:] > grid[:, :-1])
+    low, high = grid[which, at], grid[which, at + 1]
+    last = np.append(which[1:] != which[:-1], True)
+    at_low, at_top = phases.at(which).terms(low), phases.terms(tops)
+    at_high = np.concatenate([at_low[:, 1:], at_top[:, -1:]], axis=1)
+    at_high[:, last] = at_top
+    return _Intervals(low, high, which, at_low, at_high)
 
 
 def _bracketed(phases: Phases, cells: _Intervals, target: NDArray) -> NDArray:

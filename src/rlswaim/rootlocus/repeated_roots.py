@@ -38,7 +38,7 @@ def points_of_polynomial(coefficients: NDArray) -> Points:
         found = refined_roots(exact(p), found)
         errors = _moved_by_rounding(p, found)
     values = found.copy()
-    for group, center in _repeated_groups(p, found):
+    for group, center in _repeated_groups(p, Points(found, errors)):
         values[group] = center
         errors[group] = _moved_by_rounding(_taylor(p, len(group) - 1), np.array([center]))
     nothing = np.zeros(at_origin)
@@ -77,10 +77,15 @@ def grouped(points: Points) -> Points:
     """Return ``points``, groups of them nearer to each other than their errors explain as repeated ones."""
     (found, errors), n = points, points.values.size
     values, known = found.copy(), errors.copy()
-    for group in linked(found, np.minimum(30 * n * errors, NEAR * np.abs(found))):
+    for group in linked(found, np.minimum(_explained(points), NEAR * np.abs(found))):
         values[group] = found[group].mean()
         known[group] = n * EPS * np.abs(found).max()
     return Points(real_and_conjugate(values), known)
+
+
+def _explained(points: Points) -> NDArray:
+    """Return half of the distance to others (m,) that the errors of ``points`` explain."""
+    return 30 * points.values.size * points.errors
 
 
 def linked(points: NDArray, reach: NDArray) -> list[list[int]]:
@@ -122,12 +127,21 @@ def _taylor(p: NDArray, order: int) -> NDArray:
     return p[order:] * [comb(i, order) for i in range(order, p.size)]
 
 
-def _repeated_groups(p: NDArray, found: NDArray) -> Iterator[tuple[list[int], complex]]:
-    """Return the groups of roots ``found`` that are one repeated root of ``p`` to rounding, and where."""
+def _repeated_groups(p: NDArray, points: Points) -> Iterator[tuple[list[int], complex]]:
+    """Return the groups of roots that are one repeated root of a polynomial to rounding, and where.
+
+    Parameters
+    ----------
+    p : ndarray, shape (n + 1,)
+        The polynomial's coefficients, constant term first.
+    points : Points
+        Its roots with their errors: those of one repeated root are no farther apart than these explain.
+    """
+    found, explained = points.values, _explained(points)
     free = np.ones(found.size, dtype=bool)
-    for near in NEAR * 0.1 ** np.arange(8):
+    for near in NEAR / 2 * 0.1 ** np.arange(8):
         members = np.flatnonzero(free)
-        groups = linked(found[members], near / 2 * np.abs(found[members]))
+        groups = linked(found[members], np.minimum(near * np.abs(found), explained)[members])
         if not groups:
             return
         for group in groups:
