@@ -133,7 +133,7 @@ def dropped_product(eqs: PerturbationEquations) -> NDArray:
     return -1000 * eqs.jet["F1"] * c["Z_alpha"] * product
 
 
-def printed_closed_1(eqs: PerturbationEquations) -> NDArray:
+def printed_closure_1_polynomial(eqs: PerturbationEquations) -> NDArray:
     """Return the characteristic polynomial of closure 1 from Eq. 133 as printed and `read_off`."""
     loop, kK_z = final_design()
     arms = [1, loop.jet - eqs.l_CG, *read_off()[140]]
@@ -150,7 +150,7 @@ def _section_7(eqs: PerturbationEquations) -> dict[str, float]:
         **{f"eq133-s{power}-1-F1": float(value) for power, value in enumerate(less)},
         "eq135-gain": alpha[6],
         **roots_beside("VII", "eq135-", roots(alpha[:7])[1:]),
-        **roots_beside("VII", "text-closure1-", roots(printed_closed_1(eqs))[1:]),
+        **roots_beside("VII", "text-closure1-", roots(printed_closure_1_polynomial(eqs))[1:]),
         **_counts(loop),
     }
 

@@ -29,7 +29,7 @@ SLOW = 0.9999
 
 
 def _quadratics(poles: NDArray) -> tuple[NDArray, NDArray, list[float]]:
-    """Return sigmas and kappas of factors of two poles each, and the real pole that is left, the fastest."""
+    """Return sigmas and kappas of factors of two poles each, and the fastest pole if one is left."""
     pairs, real = poles[poles.imag > 0], np.sort(poles.real[poles.imag == 0])
     left = [float(x) for x in real[: real.size % 2]]
     first, second = real[len(left) :: 2], real[len(left) + 1 :: 2]
@@ -47,7 +47,11 @@ def _product(factors: list[NDArray]) -> NDArray:
 
 
 class _Factored:
-    """One local problem: unknowns u, sigma/w, kappa/w^2, what is left over its start, slow, t."""
+    """One local problem.
+
+    Its unknowns are the place u, sigma/w and kappa/w^2 of each factor, the real pole without a partner over
+    its size at the start, the slow root over its bound if one is set apart, and t.
+    """
 
     def __init__(self, problem: Problem, u: NDArray) -> None:
         self.problem, self.n = problem, u.size

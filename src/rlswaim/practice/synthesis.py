@@ -45,7 +45,7 @@ RANDOM = 100
 MEAN = 0.05
 """Weight of the mean of the ratios beside the largest."""
 BANDS = 3.0
-"""Theta shall come so many bands near its command, as gains without an integral never end in it."""
+"""Theta must come within so many bands of its command: without an integral it never reaches it in full."""
 SLOW = {"q_D": 0.9, "omega_1": 1.1, "omega_2": 1.1}
 FAST = {"q_D": 1.1, "omega_1": 0.9, "omega_2": 0.9}
 

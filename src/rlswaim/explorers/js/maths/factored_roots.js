@@ -1,5 +1,5 @@
-// The roots of Π(s - poles) + k Π(s - zeros) from the factors: those of ill-conditioned coefficients are
-// elsewhere.
+// The roots of Π(s - poles) + k Π(s - zeros) from the factors, because rounded coefficients of an
+// ill-conditioned polynomial have other roots.
 import { gainAtPoint } from './factored_loop.js';
 import { distance, EPS } from './polynomials.js';
 

@@ -17,7 +17,7 @@ import { along, factorsOf, longest, weightOf } from './terms.js';
 /** @typedef {{ D: Float64Array, N: Float64Array, sizes: { D: Float64Array, N: Float64Array } }} OpenLoop */
 
 /**
- * What a locus draws if nobody says: the loop that is closed last.
+ * What a locus draws unless it is told otherwise: the loop that is closed last.
  * @param {System} system
  * @returns {What}
  */

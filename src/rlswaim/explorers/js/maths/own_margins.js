@@ -30,7 +30,8 @@ export function ownMargins(parts, crossings, k, dt) {
 
 /**
  * Where |P|^2 = (k gain)^2 |Z|^2: along the axis a factor (s - p)(-s - p) is u + p^2 with u = omega^2, along
- * the circle (z - p)(1/z - p) is -2p (c - (p + 1/p)/2) with c = cos omega. So both are loci again.
+ * the circle (z - p)(1/z - p) is -2p (c - (p + 1/p)/2) with c = cos omega. Both are root loci again,
+ * in k^2.
  * @param {FactoredLoop} parts
  * @param {number} k
  * @param {boolean} discrete

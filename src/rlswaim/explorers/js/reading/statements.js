@@ -43,7 +43,7 @@ export function toldTime(text) {
 }
 
 /** The place of the bracket that closes the one at a place. @param {string} text @param {number} open */
-function closing(text, open) {
+function closingBracket(text, open) {
   let depth = 0;
   for (let i = open; i < text.length; i++) {
     if ('([{'.includes(text[i])) depth++;
@@ -111,7 +111,7 @@ export function callIn(text) {
   const found = CALLS.exec(text);
   if (!found) return null;
   const open = found.index + found[0].length - 1;
-  const inner = text.slice(open + 1, closing(text, open));
+  const inner = text.slice(open + 1, closingBracket(text, open));
   /** @type {Record<string, string>} */
   const named = {};
   const ordered = [];
