@@ -31,6 +31,11 @@ def figures(notebook):
     return [cell for cell, has_figure in zip(code_cells(notebook), drawn, strict=True) if has_figure]
 
 
+def test_each_view_has_a_name_to_read_its_values_by(notebook):
+    views = [c for c in code_cells(notebook) if "jupyter.widget-view" in str(c.outputs)]
+    assert [cell.source for cell in views if not cell.source.splitlines()[-1].isidentifier()] == []
+
+
 def test_there_is_a_notebook_for_each_section():
     chapters = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
     named = [c["file"] for part in chapters["parts"] for c in part["chapters"]]
