@@ -98,9 +98,10 @@ test-newest: ## check everything with the newest versions there are, in .newest
 # Jupyter Book 1 keeps Sphinx at an old version.  Its settings, without its own extension, serve a newer one too.
 newest-sphinx: book ## build the same pages with the newest Sphinx, MyST-NB and theme, in .newest-sphinx, warnings being errors
 	rm -rf .newest-sphinx && mkdir -p .newest-sphinx/book
-	git ls-files -z --cached --others --exclude-standard | xargs -0 tar -cf - | tar -xf - -C .newest-sphinx/book
+	git ls-files -z --cached -- _config.yml _toc.yml CITATION.cff book src | xargs -0 tar -cf - | tar -xf - -C .newest-sphinx/book
 	$(BIN)/python -m venv --without-pip .newest-sphinx/venv
-	$(BIN)/python -m pip --python .newest-sphinx/venv/bin/python install --quiet --disable-pip-version-check . $(SPHINX)
+	$(BIN)/python -m pip --python .newest-sphinx/venv/bin/python install --quiet --disable-pip-version-check \
+	  . $(SPHINX)
 	$(BIN)/jupyter-book config sphinx .newest-sphinx/book >/dev/null
 	sed -i.bak "s/'jupyter_book', //" .newest-sphinx/book/conf.py
 	@# The newest Sphinx copies no static file from a folder that is excluded; pages are those of the contents anyway.
