@@ -32,7 +32,7 @@ def test_repeated_slip_ends_at_the_printed_number(row):
     size = float(np.hypot(entry.value, ENTRIES[partner].value)) if partner != row else abs(entry.value)
     within = {
         "last digit": half_unit(entry.printed),
-        "slide rule": 0.005 * abs(entry.value),
+        "half a percent": 0.005 * abs(entry.value),
         "plot": 0.05 * size,
     }
     assert abs(result - entry.value) <= within[cause.to] * (1 + 1e-9)

@@ -26,8 +26,8 @@ class Cause(NamedTuple):
     """What went wrong in some rows of the ledger.
 
     ``found`` is "yes", "reading" (a value read off a figure) or "no".  ``to`` tells how near the repeated
-    slip comes to the printed number: "last digit", "slide rule" (half a percent), "plot" (five percent of
-    a root's size); it is empty where nothing can be repeated.
+    slip comes to the printed number: "last digit", "half a percent", "plot" (five percent of a root's
+    size); it is empty where nothing can be repeated.
     """
 
     name: str
