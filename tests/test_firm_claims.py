@@ -2,16 +2,19 @@
 
 from functools import cache
 
+import mpmath
 import numpy as np
 import pytest
 
 import rlswaim as rl
-from rlswaim.edition import firm_claims
+from exact import exact_roots
+from rlswaim.edition import conclusions, firm_claims
 from rlswaim.edition.firm_claims import CLAIMS
 from rlswaim.edition.search import winners
-from rlswaim.edition.slow_roots import abscissas
-from rlswaim.loops import certificates
+from rlswaim.edition.slow_roots import abscissas, slow_bound
+from rlswaim.loops import certificates, closed_loops
 from rlswaim.loops.closed_loops import LOOPS
+from rlswaim.rootlocus.exact_polynomials import exact_characteristic_polynomial
 from rlswaim.rootlocus.polynomials import roots
 from rlswaim.vehicle.equations import printed_coefficients
 
@@ -101,3 +104,59 @@ def test_at_station_140_the_reports_own_reading_is_not_ruled_out():
     assert 0 < stable < 1e-3
     assert but_slow == pytest.approx(0, abs=firm_claims.PROVED)
     assert min(firm_claims.at_reading(140.0, (1.6, 5.4), gravity=True)) > 0.1
+
+
+JETS = {
+    "modest_jet-all": (-1.6285, -1.0799),
+    "modest_jet-apart": (0.00909, 0.00847),
+    "modest_jet-pair-all": (-1.0000, -1.0031),
+    "modest_jet-pair-apart": (0.00050, 0.00458),
+    "dual_actuation-all": (-4.0269, -1.2500),
+    "dual_actuation-apart": (0.00592, 0.01763),
+    "dual_actuation-pair-all": (-1.0000, -1.0231),
+    "dual_actuation-pair-apart": (-0.00395, -0.00349),
+    "figure_25-all": (-0.9605, -0.7349),
+    "figure_25-apart": (-0.9605, -0.7349),
+    "figure_25-pair-all": (-0.6185, -0.6234),
+    "figure_25-pair-apart": (-0.6185, -0.6234),
+}
+"""Rightmost roots (1/s) of Section VII's winners without the weight and with it."""
+
+
+@cache
+def rightmost(name, gravity):
+    """Return the largest real part (1/s) of a winner's roots: exact polynomial, roots to 60 digits."""
+    won = next(w for w in winners() if f"{w.system}-{w.objective}" == name)
+    A = closed_loops.state_space(WITH if gravity else PLAIN, won.system, won.gains).A
+    with mpmath.workdps(60):
+        p = [mpmath.mpf(c.numerator) / c.denominator for c in exact_characteristic_polynomial(A)]
+    return exact_roots(p).real.max()
+
+
+@pytest.mark.parametrize("name", JETS)
+def test_the_weight_moves_the_rightmost_root_of_each_loop_with_a_jet_so_far(name):
+    plain, heavy = (rightmost(name, gravity) for gravity in (False, True))
+    assert plain == pytest.approx(JETS[name][0], abs=5.1e-5)
+    assert heavy == pytest.approx(JETS[name][1], abs=5.1e-5)
+    assert heavy < 0 or plain > 0
+    assert (heavy > slow_bound()) == (name == "dual_actuation-apart")
+
+
+@pytest.mark.parametrize("name", JETS)
+def test_floats_find_the_rightmost_root_with_the_weight(name):
+    """Chapter VIII prints three decimals of what floats find."""
+    won = next(w for w in winners() if f"{w.system}-{w.objective}" == name)
+    poles = closed_loops.state_space(WITH, won.system, won.gains).poles()
+    assert max(poles.real) == pytest.approx(rightmost(name, True), abs=1e-5)
+
+
+def test_each_loop_with_a_jet_is_looked_at():
+    found = {f"{w.system}-{w.objective}" for w in winners() if LOOPS[w.system] is LOOPS["dual_actuation"]}
+    assert found == set(JETS)
+
+
+def test_the_loop_made_by_hand_keeps_all_roots_left_of_the_axis_with_the_weight():
+    for eqs, slow in ((PLAIN, -0.00115), (WITH, -0.00085)):
+        poles = np.sort(conclusions.closed_loop(eqs, "dual_actuation").poles().real)
+        assert poles[-1] == pytest.approx(slow, abs=5e-6)
+        assert poles[-2] < -0.17

@@ -5,13 +5,16 @@ import struct
 from html.parser import HTMLParser
 from importlib.metadata import version
 from pathlib import Path
+from types import SimpleNamespace
 from urllib.parse import unquote, urldefrag, urljoin, urlsplit
 
 import pandas as pd
 import pytest
 import yaml
+from docutils import nodes
 
 import rlswaim as rl
+from extensions.how_to_cite import HowToCite
 from extensions.typeset_tables import typeset
 from rlswaim.edition.ledger import as_frame
 
@@ -148,11 +151,23 @@ def test_how_to_cite_is_what_the_citation_file_says(visit):
     assert cff["version"] == version("rlswaim")
     with visit("book/09-references.html") as (page, _, _):
         section = page.locator("section:has(> h2:has-text('How to cite'))").inner_text()
+    assert "<" not in section
     first, second = section.partition("@techreport")[::2]
     for words in (cff["title"], cff["version"], cff["authors"][0]["name"], "@software{rlswaim,"):
         assert words in first
     for words in (report["title"], str(report["year"]), "Robert L. Swaim", report["institution"]["location"]):
         assert words in second
+
+
+def test_how_to_cite_sets_each_work_as_a_line_without_markup_and_an_entry():
+    cff = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    env = SimpleNamespace(note_dependency=lambda _: None)
+    found = HowToCite.run(SimpleNamespace(env=env))
+    assert [type(node) for node in found] == [nodes.paragraph, nodes.literal_block] * 2
+    for line, work in zip(found[::2], (cff, cff["references"][0]), strict=True):
+        assert [node.astext() for node in line.findall(nodes.emphasis)] == [work["title"]]
+        assert work["title"] in line.astext()
+    assert not any("<" in node.astext() for node in found)
 
 
 # ---- the ledger's page: the table is the ledger, its search finds, and on paper all rows stand

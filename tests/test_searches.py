@@ -52,6 +52,15 @@ def exact_poles(at):
     return np.where(np.abs(found.imag) < 1e-12, found.real, found)
 
 
+def test_four_roots_of_the_best_attitude_loop_lie_equally_far_right_and_two_nearly_meet():
+    poles = exact_poles(IDS.index("rate_attitude-all"))
+    first = poles[poles.real > poles.real.max() - 1e-6]
+    assert first.real == pytest.approx([0.58756] * 4, abs=5e-6)
+    real, paired_up = sorted(np.abs(first.imag))[:2], sorted(np.abs(first.imag))[2:]
+    assert max(real) < 1e-4
+    assert paired_up == pytest.approx([0.43225] * 2, abs=5e-5)
+
+
 # ---- the machinery
 
 

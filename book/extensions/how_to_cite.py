@@ -63,7 +63,7 @@ class HowToCite(SphinxDirective):
         for key, work in {"rlswaim": cff, "swaim1964": cff["references"][0]}.items():
             entry = bibtex(work, key)
             found += [
-                nodes.paragraph("", sentence(work)),
+                sentence(work),
                 nodes.literal_block(entry, entry, language="bibtex"),
             ]
         return found
