@@ -28,6 +28,7 @@ PAGES = [f"{name}.html" for name in (*CHAPTERS, "search", "genindex")]
 FAULTS = """() => ({
   plainMath: [...document.querySelectorAll('.math')].filter(el => !el.querySelector('mjx-container')).length,
   badMath: [...document.querySelectorAll('mjx-merror, [data-mjx-error]')].map(el => el.textContent),
+  tabStops: [...document.querySelectorAll('mjx-container')].filter(el => el.tabIndex >= 0).length,
   noAlt: [...document.images].filter(el => !el.alt.trim()).map(el => el.src),
   broken: [...document.images].filter(el => el.complete && !el.naturalWidth).map(el => el.src),
   noAxes: [...document.querySelectorAll('.live-view-failure')].map(el => el.textContent),
