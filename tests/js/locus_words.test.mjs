@@ -9,7 +9,7 @@ const { marginWords } = await import(
 test('a stable loop without crossings keeps stable at any gain', () => {
   assert.equal(
     marginWords({ gain: [], phase: [] }, true),
-    'Gain margins: no crossing, any gain. Phase margins: the loop’s size is nowhere 1.',
+    'Phase margins: the loop’s size is nowhere 1. Gain margins: no crossing, any gain.',
   );
 });
 
@@ -24,8 +24,8 @@ test('the margin that is used up first comes first, and the least delay is told'
   ];
   assert.equal(
     marginWords({ gain, phase }, true),
-    'Gain margins: −6 dB (×0.5, ω = 3 rad/s), +12 dB (×4, ω = 1 rad/s). ' +
-      'Phase margins: +45° (ω = 2 rad/s), −100° (ω = 10 rad/s). Delay margin: 0.393 s.',
+    'Phase margins: +45° (ω = 2 rad/s), −100° (ω = 10 rad/s). Delay margin: 0.393 s. ' +
+      'Gain margins: −6 dB (×0.5, ω = 3 rad/s), +12 dB (×4, ω = 1 rad/s).',
   );
 });
 

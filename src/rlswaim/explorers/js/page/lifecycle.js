@@ -44,6 +44,7 @@ export class Lifecycle {
     this.timer = 0;
     this.words = '';
     this.arrived = false;
+    this.prints = false;
     this.unkeySliders = () => {};
     this.unnameSliders = () => {};
     this.freeSliders = () => {};
@@ -113,6 +114,8 @@ export class Lifecycle {
     });
     const unkey = onUndoKeys(el, this.history);
     const unfollow = onAddress((hash) => this.#readAddress(true, hash));
+    const print = () => this.#print();
+    addEventListener('beforeprint', print);
     this.stop = () => {
       this.redraw.stop();
       this.history.stop();
@@ -124,6 +127,7 @@ export class Lifecycle {
       this.unnameSliders();
       this.freeSliders();
       unfollow();
+      removeEventListener('beforeprint', print);
       for (const name of watched) model.off(`change:${name}`, changed);
       view.stop?.();
     };
@@ -174,6 +178,13 @@ export class Lifecycle {
     } catch (error) {
       this.notice.failed(error);
     }
+  }
+
+  /** Paper shows all that is open, whether somebody sees it or not, and waits for nothing. */
+  #print() {
+    this.prints = true;
+    this.#draw();
+    this.prints = false;
   }
 
   #drawn() {

@@ -19,27 +19,30 @@ export function crossingWords(crossings) {
     : ': no branch crosses the imaginary axis.';
 }
 
+/** A frequency in continuous time. @param {number} omega */
+const inSeconds = (omega) => `ω = ${number(omega, 3)} rad/s`;
+
 /**
- * The margins of a stable loop, those that are used up first at the front; an unstable one has none.
+ * The margins of a stable loop, phase and delay at the front, and of each kind those that are used up first;
+ * an unstable loop has none.
  * @param {{ gain: GainMargin[], phase: PhaseMargin[] } | null} margins
  * @param {boolean} isStable
+ * @param {(omega: number) => string} [at] a frequency in words @param {string} [unit] of a delay
  */
-export function marginWords(margins, isStable) {
+export function marginWords(margins, isStable, at = inSeconds, unit = 's') {
   if (!margins) return '';
-  if (!isStable) return 'Gain margins: none, as this loop is not stable. Phase margins: none.';
-  const gain = nearestFirst(margins.gain, ({ dB }) => dB).map(
-    (m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, ω = ${number(m.omega, 3)} rad/s)`,
-  );
+  if (!isStable) return 'Phase margins: none, as this loop is not stable. Gain margins: none.';
   const phase = nearestFirst(margins.phase, ({ degrees }) => degrees).map(
-    (m) => `${signed(m.degrees, 3)}° (ω = ${number(m.omega, 3)} rad/s)`,
+    (m) => `${signed(m.degrees, 3)}° (${at(m.omega)})`,
+  );
+  const gain = nearestFirst(margins.gain, ({ dB }) => dB).map(
+    (m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, ${at(m.omega)})`,
   );
   const delays = margins.phase.map(({ delay }) => delay);
-  /** @param {string[]} words @param {string} without */
-  const list = (words, without) => (words.length ? words.join(', ') : without);
-  const delay = delays.length ? ` Delay margin: ${number(Math.min(...delays), 3)} s.` : '';
+  const delay = delays.length ? ` Delay margin: ${number(Math.min(...delays), 3)} ${unit}.` : '';
   return (
-    `Gain margins: ${list(gain, 'no crossing, any gain')}. ` +
-    `Phase margins: ${list(phase, 'the loop’s size is nowhere 1')}.${delay}`
+    `Phase margins: ${phase.join(', ') || 'the loop’s size is nowhere 1'}.${delay} ` +
+    `Gain margins: ${gain.join(', ') || 'no crossing, any gain'}.`
   );
 }
 

@@ -1,5 +1,6 @@
 // What a workbench says of a loop in discrete time.
-import { number, signed } from './numbers.js';
+import { marginWords } from './locus_words.js';
+import { number } from './numbers.js';
 
 /** @import { Crossing, Pole } from '../types.d.ts' */
 /** @import { Words } from './words_in_s.js' */
@@ -56,20 +57,8 @@ function crossingWords(crossings) {
 }
 
 /** @type {Words['margins']} */
-function marginWords(margins, isStable) {
-  if (!margins) return '';
-  if (!isStable) return 'Gain margins: none, as this loop is not stable. Phase margins: none.';
-  const gain = margins.gain.map(
-    (m) => `${signed(m.dB, 3)} dB (×${number(m.factor, 3)}, angle ${number(m.omega, 3)} rad)`,
-  );
-  const phase = margins.phase.map((m) => `${signed(m.degrees, 3)}° (angle ${number(m.omega, 3)} rad)`);
-  const delays = margins.phase.map(({ delay }) => delay);
-  const delay = delays.length ? ` Delay margin: ${number(Math.min(...delays), 3)} samples.` : '';
-  return (
-    `Gain margins: ${gain.join(', ') || 'no crossing, any gain'}. ` +
-    `Phase margins: ${phase.join(', ') || 'the loop’s size is nowhere 1'}.${delay}`
-  );
-}
+const marginsInZ = (margins, isStable) =>
+  marginWords(margins, isStable, (omega) => `angle ${number(omega, 3)} rad`, 'samples');
 
 /**
  * Frequency and damping are those of s with z = e^(sT); without a sampling time T = 1 sample.
@@ -83,7 +72,7 @@ export function wordsInZ(dt) {
   return {
     verdict,
     crossings: crossingWords,
-    margins: marginWords,
+    margins: marginsInZ,
     isStable: ({ x, y }) => Array.from(x, (re, i) => excess(re, y[i])).every((off) => off < 0),
     poles: {
       heads: ['real', 'imaginary', unit, 'ζ', 'stability'],

@@ -2,6 +2,7 @@
 // mode, for the gains that are set.
 import { scaleOf } from '../drawing/response_charts.js';
 import { margins } from '../maths/margins.js';
+import { nearestFirst } from '../maths/one_margin.js';
 import { responses } from '../maths/responses.js';
 import { element, headRow, panel, scrolling, set } from '../page/elements.js';
 import { number, signed } from '../page/numbers.js';
@@ -89,10 +90,12 @@ export class CriteriaCard {
     if (!found) return [];
     const at = (/** @type {Crossing} */ { omega }) => `${number(omega, 3)} rad/s`;
     const of = (/** @type {Crossing} */ { omega }) => (omega > 0 ? nearestMode(poles, omega) : 'slow');
+    const phase = nearestFirst(found.phase, ({ degrees }) => degrees);
+    const gain = nearestFirst(found.gain, ({ dB }) => dB);
     return [
-      ...found.gain.map((m) => row(`${of(m)}: gain margin`, `${signed(m.dB, 3)} dB`, at(m))),
-      ...found.phase.map((m) => row(`${of(m)}: phase margin`, `${signed(m.degrees, 3)}°`, at(m))),
-      ...found.phase.map((m) => row(`${of(m)}: delay margin`, `${number(m.delay, 3)} s`, at(m))),
+      ...phase.map((m) => row(`${of(m)}: phase margin`, `${signed(m.degrees, 3)}°`, at(m))),
+      ...phase.map((m) => row(`${of(m)}: delay margin`, `${number(m.delay, 3)} s`, at(m))),
+      ...gain.map((m) => row(`${of(m)}: gain margin`, `${signed(m.dB, 3)} dB`, at(m))),
     ];
   }
 }

@@ -1,10 +1,11 @@
 // Computes the rows of the station map: in a worker, or in short turns on the page where no worker may start.
 import { rows } from '../maths/abscissa.js';
-import { inSlices } from '../page/slices.js';
+import { inSlices, slice } from '../page/slices.js';
 
 /** @typedef {import('./station_pixels.js').Part} Part */
 
 const SLICE = 4; // ms
+const PATIENCE = 1000; // ms, while paper waits
 
 export class MapCalculator {
   /** @param {(parts: Part[]) => void} receive */
@@ -43,6 +44,17 @@ export class MapCalculator {
     this.plan = plan;
     if (this.worker) this.worker.postMessage({ id: this.id, plan });
     else this.#here();
+  }
+
+  /**
+   * What comes within a second, now; the last plan counts no more. Returns whether that is all.
+   * @param {object} plan
+   */
+  atOnce(plan) {
+    this.drop();
+    const { parts, done } = slice(/** @type {Generator<Part>} */ (rows(/** @type {any} */ (plan))), PATIENCE);
+    this.receive(parts);
+    return done;
   }
 
   /** The last plan counts no more. */

@@ -81,7 +81,8 @@ export class MapPanel {
       this.canvas.classList.toggle('stale', !done);
       return done;
     };
-    if (this.cost < INLINE && take(slice(steps, INLINE))) return;
+    const { prints } = this.bench.page;
+    if ((prints || this.cost < INLINE) && take(slice(steps, prints ? Infinity : INLINE))) return;
     this.stop = inSlices(steps, SLICE, take, REST);
     this.canvas.classList.add('stale');
   }

@@ -104,6 +104,7 @@ class StationMap {
       this.calculator.drop();
       this.started = false;
     }
+    if (this.page.prints && !this.pixels.whole) this.started = this.calculator.atOnce(this.plan);
     if (this.page.seen && !this.started) this.calculator.start(this.plan);
     this.started ||= this.page.seen;
   }

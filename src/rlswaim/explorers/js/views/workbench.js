@@ -213,7 +213,7 @@ export class Workbench {
 
   /** @param {Part} part */
   isSeen({ node, canvas }) {
-    return node.open && this.seen.get(canvas);
+    return node.open && (this.page.prints || this.seen.get(canvas));
   }
 
   /** Before each drawing. */
