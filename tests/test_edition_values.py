@@ -127,7 +127,8 @@ def test_winners_stand_beside_their_bounds(system):
         descents = [way for way in (winner.descents, winner.worst) if not np.isnan(way)]
         ways = [winner.evolution, winner.adaptation, *descents]
         second, *told = (float(text) for text in texts[len(rows) + 1 : -2])
-        assert second == pytest.approx(winner.abscissa, abs=0.05 if shaky else 6e-4)  # three decimals are told
+        # Three decimals are told.
+        assert second == pytest.approx(winner.abscissa, abs=0.05 if shaky else 6e-4)
         assert told == pytest.approx(ways, abs=1.01e-4)
         assert winner.abscissa <= min(winner.evolution, winner.adaptation) + 1e-9
 
