@@ -26,9 +26,10 @@ def bench(browser):
 @pytest.fixture(scope="module")
 def card(bench):
     """What the card shows of a stable loop, by row, and the loop by python-control."""
-    rows = bench.locator(f"{CARD} tbody tr").all_inner_texts()
+    cells = "rows => rows.map(row => [...row.cells].map(cell => cell.textContent))"
+    rows = bench.locator(f"{CARD} tbody tr").evaluate_all(cells)
     gains = {name: bench.evaluate(f"state.{name}") for name in GAINS}
-    return [row.split("\t") for row in rows], rl.dual_actuation(EQUATIONS, **gains)
+    return rows, rl.dual_actuation(EQUATIONS, **gains)
 
 
 def first(text):
