@@ -64,6 +64,13 @@ def test_frozen_flight_is_the_response_of_one_loop():
         assert np.allclose(run[name], wanted, atol=3e-3 * np.abs(wanted).max())
 
 
+def test_schedule_is_lost_before_its_first_switch_and_at_burnout():
+    times = np.array([12.5, 27.5, 28.0, 28.5, 29.0, 60.0, 90.5, 91.0, 108.0, 108.5, 110.0])
+    lost = [float(t) for t in times if np.linalg.eigvals(burn.loop_at(t, burn.scheduled).A).real.max() >= 0]
+    assert lost == [28.0, 28.5, 108.5, 110.0]
+    assert burn.held(burn.scheduled, times) == (12.5, 108.0)
+
+
 def test_schedule_switches_when_it_says():
     for t, made_for in ((10.0, 20.0), (28.9, 20.0), (29.0, 57.5), (91.0, 100.0)):
         assert np.array_equal(burn.scheduled(t).A, burn._made_at(made_for).A)

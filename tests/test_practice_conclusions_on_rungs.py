@@ -1,5 +1,7 @@
 """The table of conclusions by rungs: its numbers by other ways, its searches closed again."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -31,6 +33,15 @@ def test_each_winner_closes_its_loop_as_stored(pair):
     assert abscissas(np.linalg.eigvals(A)[None], True)[0] == pytest.approx(best.abscissa, rel=1e-3, abs=1e-4)
     assert np.all(problem.place(best.gains) >= -1e-9)
     assert np.all(problem.place(best.gains) <= 1 + 1e-9)
+
+
+def test_page_names_the_reports_conclusions_of_the_table():
+    ours = [one for one in judged.CONCLUSIONS.values() if not one.of_report]
+    assert [one.words for one in ours] == ["no stable controller", "or other gains"]
+    numbers = sorted({one.of_report for one in judged.CONCLUSIONS.values()} - {""})
+    config = (Path(__file__).parent.parent / "_config.yml").read_text(encoding="utf-8")
+    said = f"Conclusions {', '.join(numbers[:-1])} and {numbers[-1]} of the report, and two claims"
+    assert f"17-ladder-of-models: {said}" in config
 
 
 def test_every_rung_and_section_is_stored():

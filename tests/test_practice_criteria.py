@@ -65,6 +65,13 @@ def test_a_loop_that_is_not_stable_meets_nothing_in_time():
     assert not any(c.met for c in found)
 
 
+def test_where_nothing_is_wanted_there_is_no_verdict():
+    assert FOUND["moment 200"].met is None
+    assert {name for name, c in FOUND.items() if c.met is None} == {"moment 200"}
+    row = criteria.table(tuple(FOUND.values())).loc["moment 200"]
+    assert (row["wanted"], row["met"]) == ("", None)
+
+
 def test_bounds_can_be_varied_and_are_checked():
     strict = replace(criteria.wanted(), alpha_deg=1e-6)
     found = {c.name: c for c in criteria.evaluate(LOOP, EQS.U, want=strict)}

@@ -10,7 +10,7 @@ from rlswaim.practice.h_infinity import h_infinity
 from rlswaim.practice.hardware import Hardware, closed_loop
 from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.practice.margins import frequency_response
-from rlswaim.practice.optimal import Wishes, design_plant, kalman, lqg, regulator
+from rlswaim.practice.optimal import Wishes, design_plant, kalman, lqg, regulated, regulator
 
 BOOSTER = dispersed.consistent_booster()
 READ = (*gyros(60.0), Instrument("accelerometer", 27.0))
@@ -50,6 +50,18 @@ def test_regulator_solves_riccatis_equation():
     exact = np.linalg.solve(R, B.T @ P)
     off = np.abs(regulator(whole, WISHES, "attitude 60") - exact)
     assert np.all(off < 1e-5 * np.abs(exact).max(axis=1, keepdims=True))
+
+
+def test_regulated_loop_keeps_kalmans_inequality():
+    """|1 + L| >= 1 at each command where the costs of the commands are apart; and its closed poles agree."""
+    omega = np.geomspace(1e-3, 1e3, 300)
+    closed = regulated(BOOSTER, READ, WISHES, 27.0)
+    assert closed.poles().real.max() < 0
+    for i in range(2):
+        L = regulated(BOOSTER, READ, WISHES, 27.0, i)
+        assert np.abs(1 + frequency_response(L, omega)[:, 0, 0]).min() > 1 - 1e-6
+        again = np.linalg.eigvals(L.A - L.B @ L.C)
+        assert all(np.min(np.abs(again - pole)) < 1e-5 * max(1.0, abs(pole)) for pole in closed.poles())
 
 
 def test_recovery_brings_the_regulators_loop_back_with_two_gyros(monkeypatch):

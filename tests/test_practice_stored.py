@@ -1,6 +1,7 @@
 """The stored gains and draws come out again."""
 
 import control
+import joblib
 import numpy as np
 import pytest
 
@@ -65,6 +66,18 @@ def test_controller_with_a_direct_way_is_refused():
     made = control.ss([], np.zeros((0, 3)), np.zeros((1, 0)), np.ones((1, 3)))
     with pytest.raises(ValueError, match="made in joined: got a direct way"):
         synthesis.joined(made, made)
+
+
+def test_draws_run_where_the_configuration_says(capsys):
+    monte_carlo.main(2)
+    serial = capsys.readouterr()
+    with joblib.parallel_config(n_jobs=2, verbose=1):
+        monte_carlo.main(2)
+    spread = capsys.readouterr()
+    assert "with 2 concurrent workers" in spread.err
+    assert "concurrent workers" not in serial.err
+    assert "draws,2,1" in serial.out
+    assert spread.out == serial.out
 
 
 def test_stored_draws_come_out_again():

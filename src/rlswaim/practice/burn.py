@@ -182,6 +182,22 @@ def frozen_poles(times: Sequence[float], design: Callable[[float], control.State
     return np.array([loop_at(float(t), design).poles() for t in times])
 
 
+def held(design: Callable[[float], control.StateSpace], times: Sequence[float]) -> tuple[float, float]:
+    """Return the first and the last of several times at which the frozen loop has all poles left of the axis.
+
+    Times between them may be lost.
+
+    Parameters
+    ----------
+    design : callable
+        As in `loop_at`.
+    times : sequence of float
+        In s.
+    """
+    good = [float(t) for t in times if loop_at(float(t), design).poles().real.max() < 0]
+    return good[0], good[-1]
+
+
 def wind(t: NDArray) -> NDArray:
     """Return the wind of ``data/winds.csv`` (ft/s) over times ``t`` (s) of the burn."""
     given = constants("winds")

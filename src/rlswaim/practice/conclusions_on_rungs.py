@@ -1,5 +1,6 @@
 """The report's conclusions on each rung of the ladder: stands, falls or depends, with its number."""
 
+import re
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import NamedTuple
@@ -111,6 +112,12 @@ class Conclusion(NamedTuple):
     words: str
     page: str
     cell: Callable[[str], Cell]
+
+    @property
+    def of_report(self) -> str:
+        """The number of the report's conclusion that it is about; empty for a claim of this edition."""
+        found = re.search(r"\d[a-c]", self.words)
+        return found.group() if found else ""
 
 
 CONCLUSIONS: Mapping[str, Conclusion] = {

@@ -57,7 +57,7 @@ def wanted() -> Wanted:
 
 @dataclass(frozen=True)
 class Criterion:
-    """One criterion: its value for a loop, what is wanted, and whether the value keeps to it."""
+    """One criterion: its value for a loop, what is wanted (nan if nothing is), and whether it is met."""
 
     name: str
     value: float
@@ -66,8 +66,10 @@ class Criterion:
     at_most: bool
 
     @property
-    def met(self) -> bool:
-        """Whether the value keeps to what is wanted; nan does not."""
+    def met(self) -> bool | None:
+        """Whether the value keeps to what is wanted, nan does not; None where nothing is wanted."""
+        if np.isnan(self.wanted):
+            return None
         return self.value <= self.wanted if self.at_most else self.value >= self.wanted
 
 
@@ -169,7 +171,7 @@ def evaluate(
     -------
     tuple of Criterion
         Peaks are those of the worst 1-cosine gust for each; inf for a loop that is not stable.  Moments
-        have no bound of their own and are wanted finite.
+        have no bound of their own: what is wanted of them is nan.
     """
     want = want or wanted()
     found = [
@@ -198,7 +200,7 @@ def _gust_criteria(
         if output in system.output_labels
     ]
     moments = (name for name in system.output_labels if name.startswith("moment "))
-    return found + [Criterion(name, peak(name), np.finfo(float).max, "lb ft", True) for name in moments]
+    return found + [Criterion(name, peak(name), float("nan"), "lb ft", True) for name in moments]
 
 
 def _margin_criteria(
@@ -223,9 +225,15 @@ def _margin_criteria(
 
 
 def table(found: tuple[Criterion, ...]) -> pd.DataFrame:
-    """Return criteria that were ``found`` as a table: value, wanted, unit, met; indexed by name."""
+    """Return criteria that were ``found`` as a table: value, wanted, unit, met; indexed by name.
+
+    Where nothing is wanted, "wanted" is empty and "met" None.
+    """
     rows = [
-        {"value": c.value, "wanted": f"{'<=' if c.at_most else '>='} {c.wanted:g}"}
+        {
+            "value": c.value,
+            "wanted": "" if c.met is None else f"{'<=' if c.at_most else '>='} {c.wanted:g}",
+        }
         | {"unit": c.unit, "met": c.met}
         for c in found
     ]

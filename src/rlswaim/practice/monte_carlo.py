@@ -1,9 +1,11 @@
 """Every design around thousands of vehicles whose data are wrong at random.
 
 ``python -m rlswaim.practice.monte_carlo`` prints ``data/monte_carlo.csv``.  The draws are those of
-`dispersed.drawn` about the consistent vehicle, the same for each design.
+`dispersed.drawn` about the consistent vehicle, the same for each design; their number may follow
+the command.
 """
 
+import sys
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -109,9 +111,9 @@ def spreads() -> dict[str, Spread]:
     return found
 
 
-def main(jobs: int = 1) -> None:
-    """Print the table ``data/monte_carlo.csv``, in so many processes (``jobs``, as joblib takes them)."""
-    found = Parallel(n_jobs=jobs)(delayed(one_draw)(index) for index in range(DRAWS))
+def main(draws: int = DRAWS) -> None:
+    """Print the table ``data/monte_carlo.csv`` of so many ``draws``, as ``joblib.parallel_config`` says."""
+    found = Parallel()(delayed(one_draw)(index) for index in range(draws))
     print("design,quantity,value,unit")
     for name in designs():
         one = spread([draw[name] for draw in found])
@@ -125,4 +127,4 @@ def main(jobs: int = 1) -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(int, sys.argv[1:]))

@@ -132,6 +132,42 @@ def regulator(whole: control.StateSpace, wishes: Wishes, attitude: str) -> NDArr
     return np.asarray(K)
 
 
+def regulated(
+    booster: Booster,
+    instruments: tuple[Instrument, ...],
+    wishes: Wishes,
+    jet: float | None = None,
+    opened: int | None = None,
+) -> control.StateSpace:
+    """Return the loop of `regulator` on the plant that it is made for, all states known.
+
+    Parameters
+    ----------
+    booster : Booster
+    instruments : tuple of Instrument
+        The integral is that of the first attitude gyro.
+    wishes : Wishes
+    jet : float, optional
+        Station of the jet (ft).
+    opened : int, optional
+        Which command the loop is opened at, the rest closed.
+
+    Returns
+    -------
+    control.StateSpace
+        From alpha_g to the outputs of `design_plant`; L(s) with ``opened``.
+    """
+    whole = design_plant(booster, instruments, jet)
+    attitude = next(one.name for one in instruments if one.kind == "attitude")
+    (A, B), K = _with_integral(whole, attitude), regulator(whole, wishes, attitude)
+    if opened is not None:
+        rest = [i for i in range(len(K)) if i != opened]
+        return control.ss(A - B[:, rest] @ K[rest], B[:, [opened]], K[[opened]], 0)
+    gust = np.vstack([whole.B[:, :1], whole.D[rows_of(whole, [attitude]), :1]])
+    C = np.hstack([whole.C, np.zeros((whole.noutputs, 1))]) - whole.D[:, 1:] @ K
+    return control.ss(A - B @ K, gust, C, whole.D[:, :1], inputs=["alpha_g"], outputs=whole.output_labels)
+
+
 def kalman(whole: control.StateSpace, instruments: tuple[Instrument, ...], wishes: Wishes) -> NDArray:
     """Return the gain of the filter that estimates a plant's states from its instruments.
 
