@@ -26,6 +26,8 @@ VIEWS = {
     "dual-actuation",
     "peak-bound",
     "greensite",
+    "own-loop",
+    "moving-loop",
 }
 FRAME = 1000 / 60  # ms
 CHAPTERS = {
