@@ -40,7 +40,7 @@ def test_page_names_the_reports_conclusions_of_the_table():
     assert [one.words for one in ours] == ["no stable controller", "or other gains"]
     numbers = sorted({one.of_report for one in judged.CONCLUSIONS.values()} - {""})
     config = (Path(__file__).parent.parent / "_config.yml").read_text(encoding="utf-8")
-    said = f"Conclusions {', '.join(numbers[:-1])} and {numbers[-1]} of the report, and two claims"
+    said = f"Conclusions {', '.join(numbers[:-1])} and {numbers[-1]} of the report and two of this edition"
     assert f"17-ladder-of-models: {said}" in config
 
 
