@@ -45,7 +45,12 @@ splitQuery = (query) => [...query.matchAll(WORDS_AND_NUMBERS)].map(indexWord);
 
 Search.htmlToText = textOf;
 
-/** The excerpt around the first word that is found. @param {string} page @param {Set<string>} words @param {string} anchor */
+/**
+ * The excerpt around the first word that is found.
+ * @param {string} page
+ * @param {Set<string>} words
+ * @param {string} anchor
+ */
 Search.makeSearchSummary = (page, words, anchor) => {
   const text = Search.htmlToText(page, anchor);
   if (!text) return null;
