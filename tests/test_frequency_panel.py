@@ -240,8 +240,9 @@ class TestTakeAway:
         bench.wait_for_function("location.hash.includes('view.frequency=nichols')")
         with opened(browser, greensite_explorer(), bench.evaluate("location.href")) as other:
             other.wait_for_function("panel => el.querySelector(panel).open", arg=PANEL)
+            other.locator(CANVAS).scroll_into_view_if_needed()  # a panel is drawn while it is seen
             kind = f"el.querySelector('{PANEL} select').value"
-            other.wait_for_function(f"{kind} === 'nichols'")  # the picture follows with the next frame
+            other.wait_for_function(f"{kind} === 'nichols'")
 
     def test_an_address_that_names_no_picture_is_told(self, browser):
         address = "http://view.test/#greensite:view.frequency=%3Cb%3E"
