@@ -1,18 +1,22 @@
 """The table of conclusions by rungs: its numbers by other ways, its searches closed again."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import rlswaim as rl
+from rlswaim.edition.printed_closures import final_design
 from rlswaim.edition.slow_roots import abscissas, slow_bound
 from rlswaim.loops.certificates import slow_root_certificate
 from rlswaim.loops.closed_loops import polynomial
+from rlswaim.loops.closures import closure_1_polynomial
 from rlswaim.practice import conclusions_on_rungs as judged
 from rlswaim.practice import ladder_dispersed as dis
 from rlswaim.practice import ladder_search as search
 from rlswaim.practice.dispersed import dispersed, drawn
+from rlswaim.practice.ladder import vehicle_on
 from rlswaim.practice.limits import limits
 from rlswaim.practice.measurements import attitude
 from rlswaim.practice.rungs import ladder_steps
@@ -85,6 +89,29 @@ def test_bounds_without_hardware_are_those_of_chapter_xv():
     assert judged.cells()["20 ms delay"]["parity"].number > judged.cells()["as printed"]["parity"].number
 
 
+@pytest.mark.parametrize("rung", STEPS)
+def test_stiff_vehicle_is_the_limit_of_stiffer_ones(rung):
+    """Frequencies a thousand times as high, well damped, leave the rigid body's roots, and the jet leaves a growing one."""
+    eqs, hardware = STEPS[rung]
+    stiffer = dict(eqs.coefficients)
+    for i, mode in enumerate(eqs.modes, start=1):
+        stiffer[f"F{i}_q{i}"] += 1e6 * mode.omega**2
+        stiffer[f"F{i}_q{i}dot"] += 1e3 * mode.omega
+    poles = vehicle_on(replace(eqs, coefficients=stiffer), hardware).poles()
+    assert abscissas(poles[None], True)[0] == pytest.approx(judged.rigid_root(STEPS[rung]), rel=1e-3)
+    verdict = judged.cells()[rung]["rigid"].verdict
+    assert verdict == ("depends" if eqs.gravity else "stands")
+
+
+def test_jet_alone_is_closure_1():
+    """On the report's own rung the root with the jet is that of Figure 24's closed loop."""
+    loop, kK_z = final_design()
+    for rung in ("as printed", "gravity"):
+        p = closure_1_polynomial(STEPS[rung].eqs, loop, kK_z)
+        assert judged.root_with_the_jet(STEPS[rung]) == pytest.approx(roots(p).real.max(), rel=1e-7)
+    assert all(row["jet"].number > 0 for row in judged.cells().values())
+
+
 def test_table_has_a_link_in_each_cell():
     frame = judged.table({"dispersions": dis.cells()})
     assert frame.shape == (len(STEPS) + 1, len(judged.CONCLUSIONS))
@@ -100,7 +127,9 @@ def test_dispersions_are_stored_as_they_come_out():
     assert worst.modest == pytest.approx(shares["worst"], rel=1e-5)
     few = [dis.outcome(index) for index in range(1, 13)]
     assert all(one.modest <= worst.modest for one in few)
-    assert shares["diverges"] == shares["parity"] == 100
+    assert shares["diverges"] == shares["parity"] == shares["jet"] == 100
+    assert all(0 < one.rigid < min(one.unstable, shares["rigid"] + 1e-9) for one in few)
+    assert all(one.with_the_jet > 0 for one in few)
     assert all(one.unstable > 0 and not one.stable_controller for one in few)
     for i, name in enumerate(dis.CLAIMS):
         assert shares[name] < 100 or all(one.ruled_out[i] for one in few)

