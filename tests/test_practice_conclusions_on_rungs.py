@@ -91,7 +91,7 @@ def test_bounds_without_hardware_are_those_of_chapter_xv():
 
 @pytest.mark.parametrize("rung", STEPS)
 def test_stiff_vehicle_is_the_limit_of_stiffer_ones(rung):
-    """Frequencies a thousand times as high, well damped, leave the rigid body's roots, and the jet leaves a growing one."""
+    """Frequencies a thousand times as high, well damped, leave the rigid body's roots."""
     eqs, hardware = STEPS[rung]
     stiffer = dict(eqs.coefficients)
     for i, mode in enumerate(eqs.modes, start=1):
