@@ -112,6 +112,14 @@ def test_jet_alone_is_closure_1():
     assert all(row["jet"].number > 0 for row in judged.cells().values())
 
 
+@pytest.mark.parametrize("rung", STEPS)
+def test_jet_alone_leaves_the_divergence_itself(rung):
+    """Beside any root of the jet's own loop a real root is left, about as fast as that without it."""
+    poles = judged.with_the_jet(STEPS[rung]).poles()
+    left = poles.real[(poles.imag == 0) & (poles.real > 0.5 * judged.unstable_root(STEPS[rung]))]
+    assert left.min() == pytest.approx(judged.unstable_root(STEPS[rung]), rel=0.25)
+
+
 def test_table_has_a_link_in_each_cell():
     frame = judged.table({"dispersions": dis.cells()})
     assert frame.shape == (len(STEPS) + 1, len(judged.CONCLUSIONS))

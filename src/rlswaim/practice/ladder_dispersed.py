@@ -62,7 +62,7 @@ def outcome(index: int) -> Outcome:
 
 
 def stored_shares() -> dict[str, float]:
-    """Return the shares (%) as stored in data/ladder_dispersed.csv, and the worst draw's place."""
+    """Return shares (%), worst roots (1/s) and the worst draw's place, stored in ladder_dispersed.csv."""
     return {row["quantity"]: float(row["value"]) for row in read_table("ladder_dispersed")}
 
 
