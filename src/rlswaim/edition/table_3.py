@@ -133,7 +133,7 @@ def _trial(case: int, loop: JetLoop, sign: int, elastic: Sequence[complex], locu
     way = locus.roots[:, [int(np.argmin(np.abs(locus.roots[0] - pole))) for pole in elastic]]
     there = np.logical_and.accumulate(np.abs(way.imag) > REAL * np.abs(way), axis=0)
     factors = np.where(there, np.abs(way) / np.abs(way[0]), np.nan)
-    good = (factors[1:] >= 1).all(axis=1)
+    good = np.all(factors[1:] >= 1, axis=1)
     right = (locus.roots[1:].real > 1e-7).sum(axis=1)  # the root that rests at the origin is none
     return Trial(
         case,
