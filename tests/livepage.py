@@ -30,8 +30,17 @@ PAGES = {
     "peak-bound": "book/15-limits-of-performance.html",
     "greensite": "book/18-another-vehicle.html",
 }
-MORE = {"book/18-another-vehicle.html": 1}
-"""How many views of other systems, which have pages of their own, stand on a page too."""
+MORE = {
+    "book/16-designs-and-loads.html": ("dual-actuation",),
+    "book/17-ladder-of-models.html": ("dual-actuation",),
+    "book/18-another-vehicle.html": ("rate-attitude",),
+}
+"""Views of other systems, which have pages of their own, that stand on a page too."""
+ON_PAGES = {
+    path: tuple(name for name, at in PAGES.items() if at == path) + MORE.get(path, ())
+    for path in sorted({*PAGES.values(), *MORE})
+}
+"""All views with sliders or pictures of their own by page, but for that of one's own loop."""
 WORKBENCHES = ("rate-attitude", "single-sensor", "two-sensor", "dual-actuation")
 BOOSTER, EQUATIONS = rl.swaim_booster(), rl.printed_equations()
 ASCENT = trajectory.swaim_ascent()
