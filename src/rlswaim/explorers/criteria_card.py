@@ -35,8 +35,11 @@ MARGINS = {"gain_dB": "gain margin", "phase_deg": "phase margin", "delay_s": "de
 
 NOTE = (
     "Bounds and rows are those of chapter XVI. The loop is linear: the card cannot tell what limits of the "
-    "engine and of the jet do. The forces on the printed vehicle do not balance, so its bending moment is a "
-    "rough size."
+    "engine and of the jet do."
+)
+ROUGH = "The forces on this vehicle do not balance, so its bending moment is a rough size."
+WITHOUT = (
+    "The bending moment is left out: it is known only where masses and surfaces stay as the report has them."
 )
 """What the card says of its own limits."""
 
@@ -51,21 +54,23 @@ def engine_gains(system: ControlSystem) -> list[str]:
     return [name for name in ("K_A", "K_z", "K_za", "K_zb") if name in system.gains]
 
 
-def _peaks(system: ControlSystem, booster: Booster, eqs: PerturbationEquations) -> list[dict[str, Any]]:
+def _peaks(
+    system: ControlSystem, booster: Booster, eqs: PerturbationEquations, stations: tuple[float, ...]
+) -> list[dict[str, Any]]:
     """Return the criteria in a gust: the outputs, derivatives and data that make each, with its words."""
     motions: dict[str, list[tuple[str, int, float, tuple[str, ...]]]] = {
         "incidence": [("alpha", 0, 1.0, ()), ("alpha_g", 0, 1.0, ())],
         "delta": [("delta", 0, 1.0, ())],
         "delta_rate": [("delta", 1, 1.0, ())],
         "delta_r": [("delta_r", 0, 1.0, ())],
-        "drift": [("alpha", 0, eqs.U, ()), ("theta", 0, -eqs.U, ())],
+        "drift": [("alpha", 0, 1.0, ("U",)), ("theta", 0, -1.0, ("U",))],
     }
     found: list[dict[str, Any]] = [
         {"name": name, "terms": motions[output], "factor": factor, "unit": criteria.UNITS[name]}
         for name, (output, factor) in criteria.GUST_PEAKS.items()
         if output != "delta_r" or output in system.outputs
     ]
-    for station in STATIONS:
+    for station in stations:
         terms = [t for t in moment_terms(booster, eqs, station) if t.quantity in (*system.outputs, "alpha_g")]
         lever = {"lever": [max(station - x, 0.0) for x in FEET]} if "jet" in system.stations else {}
         found.append({"name": f"moment {station:g}", "terms": terms, "factor": 1.0, "unit": "lb ft", **lever})
@@ -79,13 +84,17 @@ def _words(name: str) -> dict[str, str]:
     return {"symbol": symbol, "says": says}
 
 
-def sent_criteria(system: ControlSystem, eqs: PerturbationEquations) -> dict[str, Any]:
+def sent_criteria(
+    system: ControlSystem, eqs: PerturbationEquations, stations: tuple[float, ...] = STATIONS
+) -> dict[str, Any]:
     """Return what the browser evaluates the criteria from; it knows the loop itself already.
 
     Parameters
     ----------
     system : ControlSystem
     eqs : PerturbationEquations
+    stations : tuple of float
+        Where the bending moment is asked (ft): nowhere if the vehicle's masses or surfaces move.
     """
     want = criteria.wanted()
     return {
@@ -96,19 +105,18 @@ def sent_criteria(system: ControlSystem, eqs: PerturbationEquations) -> dict[str
             **_words("settling"),
         },
         "gusts": {
-            "amplitude": want.gust_ft_s / eqs.U,
             "durations": gusts.DURATIONS,
             "count": gusts.COUNT,
             "fine": gusts.FINE,
             "step": criteria.GUST_STEP,
         },
-        "peaks": _peaks(system, swaim_booster(), eqs),
+        "peaks": _peaks(system, swaim_booster(), eqs, stations),
         "stable": criteria.STABLE,
         "engine": engine_gains(system),
         "modes": BENDING,
         "near": NEAR,
         "margins": MARGINS,
-        "note": NOTE,
+        "note": f"{NOTE} {ROUGH if stations else WITHOUT}",
     }
 
 

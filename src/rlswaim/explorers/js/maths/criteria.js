@@ -1,5 +1,6 @@
 // What is asked of a loop, evaluated as `rlswaim.practice.criteria` does: from the forms, bounds and steps that
 // Python sends.
+import { burnData } from './burn.js';
 import { numeratorsOf } from './changed_vehicle.js';
 import { closedLoopPoles } from './closed_loop.js';
 import { engineMargins } from './engine_loop.js';
@@ -60,7 +61,8 @@ function numeratorOf({ terms }, numerators, data, length) {
  * @param {System & { criteria: Asked }} system @param {State} state @param {Part[]} parts
  */
 function peaksAt(system, state, parts) {
-  const { peaks, gusts } = system.criteria;
+  const { peaks, gusts, wanted } = system.criteria;
+  const { U } = system.vehicle;
   const D = polynomialOf(system, state);
   const n = D.length - 1;
   const factors = factorsOf(system, state);
@@ -71,11 +73,11 @@ function peaksAt(system, state, parts) {
   const weights = system.plant?.weights ?? {};
   const outputs = peaks.map((peak) => {
     const lever = peak.lever ? along(peak.lever, state.jet) : 0;
-    const data = { ...state, gravity: weights[state.gravity] ?? 0, lever };
+    const data = { ...state, U, gravity: weights[state.gravity] ?? 0, lever };
     const N = numeratorOf(peak, numerators, data, n + 1);
     return { ...residues(N, parts), through: N[n] / D[n] };
   });
-  return worstPeaks(parts, outputs, gusts);
+  return worstPeaks(parts, outputs, gusts).map((peak) => (peak * wanted.gust_ft_s) / U);
 }
 
 /**
@@ -171,7 +173,10 @@ export function evaluateCriteria(system, state) {
   const parts = residueParts(setApart(poles, 1 / settling.horizon));
   const sizes = isStable ? peaksAt(system, state, parts) : peaks.map(() => Infinity);
   const times = isStable ? settlingTime(system, state, parts) : Infinity;
-  const omegas = Object.fromEntries(Object.entries(modes).map(([name, omega]) => [name, state[omega]]));
+  const { burn } = system.plant;
+  /** @type {Record<string, number>} */
+  const data = burn ? { ...burnData(burn, state) } : state;
+  const omegas = Object.fromEntries(Object.entries(modes).map(([name, omega]) => [name, data[omega]]));
   const marks = Array.from(poles.x, (x, i) => ({ x, y: poles.y[i] }));
   const found = isStable ? engineMargins(system, state, engine, marks) : { gain: [], phase: [], disk: NaN };
   const told = marginCriteria(system.criteria, found, omegas);

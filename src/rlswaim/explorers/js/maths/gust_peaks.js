@@ -4,7 +4,7 @@ import { growth } from './responses.js';
 
 /** @typedef {{ x: number, y: number }} Root with its part of the motion: y >= 0, a pair counts once */
 /** @typedef {{ rx: Float64Array, ry: Float64Array, through: number }} Output residues, and the gust's own part */
-/** @typedef {{ durations: [number, number], count: number, fine: number, step: number, amplitude: number }} Gusts */
+/** @typedef {{ durations: [number, number], count: number, fine: number, step: number }} Gusts */
 
 const LOOK = 25; // steps between two looks at what is left of the motion
 
@@ -65,10 +65,10 @@ function peaksOf(turns, outputs, duration, { step, end }, known) {
 }
 
 /**
- * The peak of each output in its worst gust.
+ * The peak of each output in its worst gust of height 1.
  * @param {Root[]} roots @param {Output[]} outputs @param {Gusts} gusts
  */
-export function worstPeaks(roots, outputs, { durations, count, fine, step, amplitude }) {
+export function worstPeaks(roots, outputs, { durations, count, fine, step }) {
   const turns = turnsOf(roots, step);
   const time = { step, end: 2 * durations[1] };
   const lengths = ratios(durations[0], durations[1], count);
@@ -84,6 +84,6 @@ export function worstPeaks(roots, outputs, { durations, count, fine, step, ampli
     let best = known[o];
     for (const length of ratios(from, to, fine))
       best = Math.max(best, ...peaksOf(turns, [output], length, time, [best]));
-    return best * amplitude;
+    return best;
   });
 }

@@ -53,7 +53,7 @@ export class CriteriaCard {
     this.limits = element('p', { class: 'told fine' });
     this.body = element('tbody');
     const heads = headRow(['criterion', 'value', 'asked', 'verdict']);
-    const table = element('table', { class: 'criteria' }, heads, this.body);
+    const table = element('table', { class: 'values criteria' }, heads, this.body);
     const toggled = () => this.later();
     this.panel = panel(
       'criteria',
@@ -93,7 +93,7 @@ export class CriteriaCard {
     set(value, valueWords(criterion, asked));
     set(wanted, bound === null ? '' : `${atMost ? '≤' : '≥'} ${withUnit(bound, unit)}`);
     set(verdict, VERDICT.get(met) ?? '');
-    row.className = met === null ? '' : met ? 'stable' : 'unstable';
+    verdict.className = met === null ? 'fine' : met ? 'stable' : 'unstable';
   }
 
   /** @param {Criterion[]} found @param {Asked} asked */
