@@ -6,17 +6,13 @@ import re
 import numpy as np
 import pytest
 
-from livepage import number
+from criteria_rows import ROWS, agree
 from rlswaim.explorers.criteria_card import BENDING, STATIONS
 from rlswaim.practice import criteria
 from standin import opened, show
 from workbench_page import EQUATIONS, VIEWS
 
 CARD = "details[data-panel=criteria]"
-ROWS = """rows => rows.map(row => [row.dataset.criterion, ...[...row.cells].map(cell => cell.textContent)])"""
-VERDICTS = {True: "met", False: "not met", None: "nothing asked"}
-CALM = {"q_D": 100.0, "C_payload": 0.0}
-"""Air so thin that the loops of Sections IV to VI can be stable."""
 DRAWS = 3
 
 
@@ -68,30 +64,6 @@ def card(request, browser):
             return page.locator(f"{CARD} tbody tr").evaluate_all(ROWS)
 
         yield request.param, explorer, page, at
-
-
-def half_a_digit(value):
-    """Return half a unit of the third digit."""
-    return 0.5 * 10.0 ** (math.floor(math.log10(abs(value))) - 2)
-
-
-def agree(shown, found):
-    """Assert that all rows are those of Python: order, values, bounds, verdicts."""
-    assert [row[0] for row in shown] == [c.name for c in found]
-    for (name, _, value, asked, verdict), c in zip(shown, found, strict=True):
-        assert verdict == VERDICTS[c.met], name
-        if not math.isfinite(c.value):
-            words = "none" if math.isnan(c.value) else "without end" if c.at_most else "∞"
-            assert value == (f"not within {criteria.HORIZON:g} s" if name == "settling" else words), name
-        else:
-            shown_value = number(re.sub(r"\s*(°|[a-zA-Z]).*", "", value))
-            off = abs(shown_value - c.value)
-            assert off <= half_a_digit(c.value) * (1 + 1e-6), (name, value, c.value)
-        if c.met is None:
-            assert asked == ""
-        else:
-            assert asked[0] == ("≤" if c.at_most else "≥")
-            assert number(re.sub(r"\s*(°|[a-zA-Z]).*", "", asked[2:])) == c.wanted
 
 
 def test_designs_are_judged_as_python_does(card):
