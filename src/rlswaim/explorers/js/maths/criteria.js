@@ -1,5 +1,5 @@
-// What is asked of a loop, evaluated as `rlswaim.practice.criteria` does: from the forms, bounds and steps that
-// Python sends.
+// What is asked of a loop, evaluated as `rlswaim.practice.criteria` does: from the forms, bounds and steps
+// that Python sends.
 import { burnData } from './burn.js';
 import { numeratorsOf } from './changed_vehicle.js';
 import { closedLoopPoles } from './closed_loop.js';
@@ -14,8 +14,8 @@ import { along, factorsOf, polynomial, polynomialOf } from './terms.js';
 /** @typedef {import('./responses.js').Part} Part */
 /** @typedef {[quantity: string, order: number, weight: number, factors: string[]]} FormTerm */
 /**
- * @typedef {{ name: string, terms: FormTerm[], factor: number, unit: string, lever?: number[], symbol: string,
- *   says: string }} Peak
+ * @typedef {{ name: string, terms: FormTerm[], factor: number, unit: string, lever?: number[],
+ *   symbol: string, says: string }} Peak
  * @typedef {{ wanted: Record<string, number>, stable: number, engine: string[], near: number,
  *   settling: { horizon: number, samples: number, symbol: string, says: string },
  *   gusts: import('./gust_peaks.js').Gusts, peaks: Peak[], modes: Record<string, string>,
@@ -42,7 +42,8 @@ function residues(N, parts) {
 
 /**
  * The numerator from the gust of a sum of derivatives of the loop's outputs, by the powers of s.
- * @param {Peak} peak @param {Record<string, ArrayLike<number>>} numerators @param {Record<string, number>} data
+ * @param {Peak} peak @param {Record<string, ArrayLike<number>>} numerators
+ * @param {Record<string, number>} data
  * @param {number} length
  */
 function numeratorOf({ terms }, numerators, data, length) {
@@ -132,7 +133,8 @@ export function byMode({ gain, phase }, modes, near) {
 
 /**
  * The margins as criteria, in Python's order; the gain of the aero margin may fall by so much.
- * @param {Asked} asked @param {import('./engine_loop.js').Margins} found @param {Record<string, number>} modes
+ * @param {Asked} asked @param {import('./engine_loop.js').Margins} found
+ * @param {Record<string, number>} modes
  * @returns {Criterion[]}
  */
 function marginCriteria({ wanted, near }, found, modes) {
@@ -161,8 +163,8 @@ function marginCriteria({ wanted, near }, found, modes) {
 }
 
 /**
- * Every criterion of the loop, in Python's order and by its names: a loop that is not stable has endless peaks
- * and no margins.
+ * Every criterion of the loop, in Python's order and by its names: a loop that is not stable has endless
+ * peaks and no margins.
  * @param {System & { criteria: Asked }} system @param {State} state
  * @returns {Criterion[]}
  */

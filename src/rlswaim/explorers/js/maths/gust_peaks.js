@@ -3,7 +3,7 @@
 import { growth } from './responses.js';
 
 /** @typedef {{ x: number, y: number }} Root with its part of the motion: y >= 0, a pair counts once */
-/** @typedef {{ rx: Float64Array, ry: Float64Array, through: number }} Output residues, and the gust's own part */
+/** @typedef {{ rx: Float64Array, ry: Float64Array, through: number }} Output residues; the gust's own part */
 /** @typedef {{ durations: [number, number], count: number, fine: number, step: number }} Gusts */
 
 const LOOK = 25; // steps between two looks at what is left of the motion
@@ -12,7 +12,10 @@ const LOOK = 25; // steps between two looks at what is left of the motion
 const ratios = (from, to, count) =>
   Array.from({ length: count }, (_, k) => from * (to / from) ** (k / (count - 1)));
 
-/** What each root does in a step of time: it turns, and takes up an input of 1. @param {Root[]} roots @param {number} step */
+/**
+ * What each root does in a step of time: it turns, and takes up an input of 1.
+ * @param {Root[]} roots @param {number} step
+ */
 export function turnsOf(roots, step) {
   return roots.map(({ x, y }) => {
     const size = Math.exp(x * step);
@@ -28,7 +31,10 @@ function sampleOf({ rx, ry, through }, mx, my, wind) {
   return sum;
 }
 
-/** What an output cannot exceed any more. @param {Output} output @param {Float64Array} mx @param {Float64Array} my */
+/**
+ * What an output cannot exceed any more.
+ * @param {Output} output @param {Float64Array} mx @param {Float64Array} my
+ */
 function leftOf({ rx, ry }, mx, my) {
   let sum = 0;
   for (let i = 0; i < mx.length; i++) sum += Math.hypot(rx[i], ry[i]) * Math.hypot(mx[i], my[i]);

@@ -101,8 +101,8 @@ export const MOTIONS = {
 /** @typedef {{ x: number, y: number, re: number, im: number }} Part a root, and 1/D' at it */
 
 /**
- * What a numerator is to be multiplied by at each root: 1/D', twice for a pair, of which the real part is both
- * its halves.
+ * What a numerator is to be multiplied by at each root: 1/D', twice for a pair, of which the real part is
+ * both its halves.
  * @param {Points} poles
  * @returns {Part[]}
  */

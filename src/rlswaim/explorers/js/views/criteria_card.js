@@ -1,5 +1,5 @@
-// A card with what an engineer asks of a loop: the criteria of chapter XVI for the gains that are set, with their
-// bounds, and whether each is met.
+// A card with what an engineer asks of a loop: the criteria of chapter XVI for the gains that are set, with
+// their bounds, and whether each is met.
 import { LETTER } from '../drawing/response_charts.js';
 import { evaluateCriteria, isMet } from '../maths/criteria.js';
 import { once } from '../maths/kept_values.js';
@@ -106,7 +106,8 @@ export class CriteriaCard {
     set(
       this.words,
       isStable
-        ? `θ settles when it stays within ${100 * wanted.band} % of a step of its command, over ${settling.horizon} s. ` +
+        ? `θ settles when it stays within ${100 * wanted.band} % of a step of its command, ` +
+            `over ${settling.horizon} s. ` +
             `Peaks are those of the worst 1 − cos gust of ${from} to ${to} s and ${wanted.gust_ft_s} ft/s. ` +
             'Margins are those of the loop cut at the engine’s command, by mode.'
         : 'This loop is not stable: its motions grow, and it has no margins.',
