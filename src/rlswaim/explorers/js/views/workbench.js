@@ -99,7 +99,7 @@ export class Workbench {
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
     const compensator = this.state.places.length ? [this.compensator] : [];
     const asked = this.system.loop?.dt ? [] : [this.requirements];
-    const criteria = this.system.loop ? [] : [this.criteria];
+    const criteria = this.system.criteria ? [this.criteria] : [];
     const panels = [
       poles,
       this.vehicle,
