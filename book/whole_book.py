@@ -61,7 +61,8 @@ CONTENTS = """() => {  // where the theme prints a list of its own, without numb
     #whole-contents ul { list-style: none; margin: 0; padding: 0; font-size: 9px; line-height: 1.35; }
     #whole-contents > ul > li > a { font-weight: bold; margin-top: .5em; break-after: avoid; }
     #whole-contents ul ul { padding-left: 1em; }
-    #whole-contents a { display: flex; justify-content: space-between; color: inherit; text-decoration: none; }
+    #whole-contents a { display: flex; justify-content: space-between; break-inside: avoid; }
+    #whole-contents a { color: inherit; text-decoration: none; }
     #whole-contents b { flex: none; width: 2.5em; text-align: right; font-weight: inherit; }`;
   contents.append(caption, list);
   document.head.append(style);
