@@ -53,7 +53,7 @@ ready: ## set up all, and build the book
 book: ## build the book into _build/html, warnings being errors; only what changed
 	+@$(LOCKED) $(HTML)/.built
 
-pdf: ready ## print the whole book into _build/book.pdf, with an outline and links
+pdf: ready ## print the whole book into _build/book.pdf, with contents, an outline and links
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/jupyter-book build . --builder singlehtml -W -n --keep-going
 	PYTHONPATH=tests $(BIN)/python book/whole_book.py _build/singlehtml _build/book.pdf
