@@ -1,9 +1,11 @@
 // The state of a workbench for one's own loop: its text, its gain, and the system that the text gives.
 import { valuesFrom } from '../page/address_values.js';
-import { durationOf, systemOf } from './own_loop_system.js';
+import { askedFrom } from '../page/requirement_text.js';
+import { durationOf, inSeries, systemOf } from './own_loop_system.js';
 import { WorkbenchState } from './workbench_state.js';
 
-/** @import { Model } from '../types.d.ts' */
+/** @import { Compensator } from '../maths/compensator.js' */
+/** @import { Model, System } from '../types.d.ts' */
 
 const ANY_GAIN = { name: 'k', grid: [-1e30, 0.5, 1e30] };
 const LONGEST = 20_000; // characters of a text
@@ -32,9 +34,22 @@ export class OwnLoopState extends WorkbenchState {
       this.base = system;
       this.wrong = '';
       Object.assign(this.shown, { camera: null, duration: durationOf(system.loop), locus: 'k' });
+      this.#leaveWhatDoesNotFit();
     } catch (error) {
       this.wrong = error instanceof Error ? error.message : String(error);
     }
+  }
+
+  /** A compensator in s makes no sense of a loop in z, and some requirements do not. */
+  #leaveWhatDoesNotFit() {
+    const { compensator, requirements } = this.shown;
+    if (compensator && !this.compensatorFrom(compensator)) this.shown.compensator = '';
+    if (!askedFrom(requirements, Boolean(this.period))) this.shown.requirements = '';
+  }
+
+  /** @override @param {System} system @param {Compensator | null} compensator */
+  inSeries(system, compensator) {
+    return inSeries(system, compensator);
   }
 
   /** @param {Record<string, string>} texts */
