@@ -1,7 +1,8 @@
 // A compensator in short words.
+
+import { complex, number } from '../drawing/numbers.js';
 import { BRANCH } from '../maths/compensated.js';
 import { KINDS } from '../maths/compensator.js';
-import { complex, number } from './numbers.js';
 
 /** @import { Compensator } from '../maths/compensator.js' */
 

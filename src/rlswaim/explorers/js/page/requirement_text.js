@@ -1,6 +1,7 @@
 // What is asked of a loop: as a text for the address, zeta_0.1~phase_30, and in words.
+
+import { number } from '../drawing/numbers.js';
 import { ASKED } from '../maths/requirements.js';
-import { number } from './numbers.js';
 
 /** @import { Requirements } from '../maths/requirements.js' */
 /** @typedef {ReturnType<typeof import('../maths/requirements.js').findings>[number]} Found */

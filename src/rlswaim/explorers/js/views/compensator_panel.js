@@ -1,10 +1,11 @@
 // A compensator in the loop: its place, its gain and its sections, which are added, typed and taken out here.
+
+import { number, typedNumber } from '../drawing/numbers.js';
 import { isProper, KINDS, kindsOf } from '../maths/compensator.js';
 import { movementOf } from '../maths/moved_roots.js';
 import { bounded, isSmall, textOf } from '../page/compensator_text.js';
 import { placeWords, ratioWords } from '../page/compensator_words.js';
 import { button, element, panel, select, set } from '../page/elements.js';
-import { number, typedNumber } from '../page/numbers.js';
 import { Grips } from './compensator_grips.js';
 
 /** @import { Compensator, Section } from '../maths/compensator.js' */

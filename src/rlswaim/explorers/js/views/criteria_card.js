@@ -1,11 +1,12 @@
 // A card with what an engineer asks of a loop: does it settle, how large is each motion, and the margins by
 // mode, for the gains that are set.
+
+import { number, signed } from '../drawing/numbers.js';
 import { scaleOf } from '../drawing/response_charts.js';
 import { margins } from '../maths/margins.js';
 import { nearestFirst } from '../maths/one_margin.js';
 import { responses } from '../maths/responses.js';
 import { element, headRow, panel, scrolling, set } from '../page/elements.js';
-import { number, signed } from '../page/numbers.js';
 
 /** @import { Workbench } from './workbench.js' */
 /** @typedef {{ re: number, im: number, name: string }} Pole */

@@ -1,12 +1,13 @@
 // What the workbench draws of a loop that a reader gave: the same record that Python sends of a control
 // system.
+
+import { number } from '../drawing/numbers.js';
 import { breakAways } from '../maths/break_aways.js';
 import { BRANCH } from '../maths/compensated.js';
 import { compensatedLoop } from '../maths/compensated_loop.js';
 import { isProper } from '../maths/compensator.js';
 import { crossings, IMAGINARY_AXIS, UNIT_CIRCLE } from '../maths/crossings.js';
 import { factored } from '../maths/factored_loop.js';
-import { number } from '../page/numbers.js';
 import { givenRoots } from '../reading/given_loop.js';
 import { readLoop } from '../reading/loop_text.js';
 

@@ -1,9 +1,10 @@
 // What is asked of the closed loop: bounds that are typed here, hatched in the s plane, and told to hold or
 // not.
+
+import { typedNumber } from '../drawing/numbers.js';
 import { cutLoop, judgedMargins } from '../maths/cut_loop.js';
 import { ASKED, findings, polesOfZ } from '../maths/requirements.js';
 import { element, panel, set } from '../page/elements.js';
-import { typedNumber } from '../page/numbers.js';
 import { foundWords, isOffered, isSensible, textOfAsked, unitOf } from '../page/requirement_text.js';
 
 /** @import { Workbench } from './workbench.js' */
