@@ -1,4 +1,5 @@
-// Where in the s plane or the z plane no pole may be: hatched, with a line at its border, so that it needs no color.
+// Where in the s plane or the z plane no pole may be: hatched, with a line at its border, so that it needs no
+// color.
 import { polygon } from './context.js';
 import { straight } from './frequency_axes.js';
 import { line } from './marks.js';

@@ -14,8 +14,8 @@ let moving = new Uint8Array(32);
  * never fall on one root, so branches stay apart at break-away points. A point rests once |p| is as small as
  * rounding allows, or after a step shorter than `close` times the distance to its neighbor: what is left is
  * then smaller by close^2 again. Where Aberth's correction has a pole a step would lead anywhere, and powers
- * of it overflow: none is longer than four times the size of the largest root, which is at least as large as the
- * largest point or the geometric mean of all roots.
+ * of it overflow: none is longer than four times the size of the largest point or, where that is larger, of
+ * the geometric mean of all roots.
  * @param {Coefficients} c
  * @param {number} n
  * @param {Numbers} x

@@ -70,8 +70,8 @@ export function cutLoop(system, state, shown) {
 export const cutMargins = (cut) => (cut.period ? marginsOnCurve(cut) : marginsOf(cut.loop, cut.gain));
 
 /**
- * The margins by which a loop is judged: of one that a reader gave those from its factors, which are exact, at
- * frequency 0 too; of any other those at the frequencies of its response.
+ * The margins by which a loop is judged: of one that a reader gave those from its factors, which are exact,
+ * at frequency 0 too; of any other those at the frequencies of its response.
  * @param {System} system
  * @param {CutLoop} cut
  */

@@ -2,8 +2,8 @@
 
 /** @typedef {[number, number]} Place real and imaginary part */
 /**
- * omega: the frequency of a root (rad/s); at: where it is at another one, equally damped; stepped: one step of
- * a key to the right or up.
+ * omega: the frequency of a root (rad/s); at: where it is at another one, equally damped; stepped: one step
+ * of a key to the right or up.
  * @typedef {{ omega: (re: number, im: number) => number,
  *   at: (re: number, im: number, omega: number) => Place,
  *   stepped: (re: number, im: number, right: number, up: number) => Place }} Movement

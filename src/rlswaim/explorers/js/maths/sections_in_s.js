@@ -7,9 +7,9 @@
  * @typedef {{ N: Coefficients, D: Coefficients }} Ratio
  */
 /**
- * names: of the numbers, with unit; least, most: their bounds; snap: the nearest number that it may be; fresh:
- * the first values, from a frequency (rad/s, in discrete time rad a sample); moved: the values with a zero or a
- * pole elsewhere, absent where none can be moved; isOne: whether all its roots move as one.
+ * names: of the numbers, with unit; least, most: their bounds; snap: the nearest number that it may be;
+ * fresh: the first values, from a frequency (rad/s, in discrete time rad a sample); moved: the values with a
+ * zero or a pole elsewhere, absent where none can be moved; isOne: whether all its roots move as one.
  * @typedef {{ text: string, names: string[], least: number[], most: number[],
  *   fresh: (omega: number) => number[], ratio: (values: number[]) => Ratio,
  *   snap?: (k: number, value: number) => number, isOne?: boolean,

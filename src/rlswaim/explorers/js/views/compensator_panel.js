@@ -225,9 +225,13 @@ export class CompensatorPanel {
     if (!isProper(compensator))
       return 'It has more zeros than poles, so it cannot be built and is left out until a pole is added.';
     const [of, rest] = this.#isDiscrete ? ['z', 'z = 1'] : ['s', 's = 0'];
-    const its = `C(${of}) = ${number(compensator.gain)} times its sections, each 1 at ${rest} where it can be,`;
+    const gain = number(compensator.gain);
+    const its = `C(${of}) = ${gain} times its sections, each 1 at ${rest} where it can be,`;
     if (this.bench.system.loop)
-      return `${its} stands before G(${of}): the loop is ${place} C G. ${IN_OWN_LOOP}${this.#isDiscrete ? LEFT_OUT : ''}`;
+      return [
+        `${its} stands before G(${of}): the loop is ${place} C G. ${IN_OWN_LOOP}`,
+        this.#isDiscrete ? LEFT_OUT : '',
+      ].join('');
     return (
       `${its} stands in the path of ${place}, before its actuator: the signal is multiplied by ` +
       `${place} C(s). ${WITHOUT}`

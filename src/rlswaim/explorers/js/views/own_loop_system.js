@@ -96,7 +96,8 @@ const closedOf = (loop, nameAt) => ({
 });
 
 /**
- * The system with a compensator in series with its loop; itself without one, or with one that cannot be built.
+ * The system with a compensator in series with its loop; itself without one, or with one that cannot be
+ * built.
  * @param {System} system
  * @param {import('../maths/compensator.js').Compensator | null} compensator
  * @returns {System}
