@@ -213,6 +213,16 @@ class TestPanel:
         bench.wait_for_function("n => el.querySelectorAll('.poles tbody tr').length === n", arg=with_it - 1)
 
 
+def test_loop_and_compensator_have_at_most_order_30(browser):
+    with opened(browser, rl.explore(([], [-1.0 - 0.1 * i for i in range(29)], 1.0))) as page:
+        open_panel(page)
+        add(page, "pole")
+        assert len(table(page)) == 30
+        page.locator(PANEL).get_by_role("button", name="Add").click()
+        assert "No more sections" in page.locator(f"{PANEL} .told").inner_text()
+        assert len(table(page)) == 30
+
+
 def test_in_z_a_grip_steps_by_keys_and_goes_with_its_frequency(browser):
     with opened(browser, rl.explore(IN_Z, 0.2)) as page:
         open_panel(page)

@@ -3,7 +3,7 @@
 import { number, typedNumber } from '../drawing/numbers.js';
 import { isProper, KINDS, kindsOf } from '../maths/compensator.js';
 import { movementOf } from '../maths/moved_roots.js';
-import { bounded, isSmall, textOf } from '../page/compensator_text.js';
+import { bounded, textOf } from '../page/compensator_text.js';
 import { placeWords, ratioWords } from '../page/compensator_words.js';
 import { button, element, panel, select, set } from '../page/elements.js';
 import { Grips } from './compensator_grips.js';
@@ -115,10 +115,12 @@ export class CompensatorPanel {
     return state.compensator ?? { place: this.places.list.value || state.places[0], gain: 1, sections: [] };
   }
 
-  /** @param {Compensator} compensator */
+  /** Puts it into the loop; returns whether it fits there. @param {Compensator} compensator */
   #put(compensator) {
     const text = textOf(compensator);
-    if (this.bench.state.compensatorFrom(text)) this.bench.look({ compensator: text });
+    const fits = Boolean(this.bench.state.compensatorFrom(text));
+    if (fits) this.bench.look({ compensator: text });
+    return fits;
   }
 
   #add() {
@@ -128,8 +130,8 @@ export class CompensatorPanel {
     const values = KINDS[kind].fresh(omega).map((value, k) => bounded(kind, k, value));
     const section = { kind, values };
     const sections = [...now.sections, section];
-    if (isSmall(sections)) this.#put({ ...now, sections });
-    else set(this.words, 'No more sections: the loop would be too long to be drawn at once.');
+    if (!this.#put({ ...now, sections }))
+      set(this.words, 'No more sections: the loop would be too long to be drawn at once.');
   }
 
   /** Where a new section goes: the marked frequency, or that of the pair that decays most slowly. */

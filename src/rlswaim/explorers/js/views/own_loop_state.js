@@ -1,6 +1,8 @@
 // The state of a workbench for one's own loop: its text, its gain, and the system that the text gives.
+import { ordersOf } from '../maths/compensator.js';
 import { valuesFrom } from '../page/address_values.js';
 import { askedFrom } from '../page/requirement_text.js';
+import { HIGHEST } from '../reading/given_loop.js';
 import { durationOf, inSeries, systemOf } from './own_loop_system.js';
 import { WorkbenchState } from './workbench_state.js';
 
@@ -40,11 +42,19 @@ export class OwnLoopState extends WorkbenchState {
     }
   }
 
-  /** A compensator in s makes no sense of a loop in z, and some requirements do not. */
+  /** A compensator in s makes no sense of a loop in z, nor do some requirements; one may be too long. */
   #leaveWhatDoesNotFit() {
     const { compensator, requirements } = this.shown;
     if (compensator && !this.compensatorFrom(compensator)) this.shown.compensator = '';
     if (!askedFrom(requirements, Boolean(this.period))) this.shown.requirements = '';
+  }
+
+  /** @override @param {string} text */
+  compensatorFrom(text) {
+    const found = super.compensatorFrom(text);
+    if (!found) return undefined;
+    const order = this.base.loop.poles.x.length + ordersOf(found.sections).poles;
+    return order <= HIGHEST ? found : undefined;
   }
 
   /** @override @param {System} system @param {Compensator | null} compensator */
