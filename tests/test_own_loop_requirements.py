@@ -104,12 +104,13 @@ def test_the_region_in_z_is_hatched_where_no_pole_may_be(browser, kind, bound):
         scale = (width - LEFT - RIGHT) / 2.4
         z = (columns - LEFT) / scale - 1.2 + 1j * ((height - BELOW - rows) / scale - 0.07)
         seen = z[(z.imag > 0.02) & (abs(z) > 0.02)]
-        s = np.log(seen) / 0.1
         limit = {"radius": bound, "settling": 50 ** (-0.1 / bound)}.get(kind)
-        within = -s.real / abs(s) - bound if limit is None else limit - abs(seen)
-        assert within.max() < 0.03
+
+        def border(angle):
+            return np.exp(-angle * bound / np.sqrt(1 - bound**2)) if limit is None else limit
+
+        assert (border(np.angle(seen)) - abs(seen)).max() < 0.02
         for angle in (0.4, 1.2, 2.0, 2.8):
-            size = np.exp(-angle * bound / np.sqrt(1 - bound**2)) if limit is None else limit
             near = seen[abs(np.angle(seen) - angle) < 0.2]
-            for beyond in (size + 0.07, 1.1):
+            for beyond in (border(angle) + 0.07, 1.1):
                 assert (abs(abs(near) - beyond) < 0.05).sum() > 5, (angle, beyond)
