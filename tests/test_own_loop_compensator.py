@@ -179,6 +179,7 @@ class TestPanel:
 
     def test_a_link_brings_it_along(self, browser, bench):
         is_z = bench.locator(f"{PANEL} option[value=zpole]").count() == 1
+        type_loop(bench, "0.2/((z-1)(z-0.5))" if is_z else "2/(s (s+1) (s+2))")  # read by both pages alike
         add(bench, *(["znotch", "zdelay"] if is_z else ["notch", "delay"]))
         show(bench, k=0.25)
         bench.wait_for_function("/loop=.*k=0.25.*view.compensator=k~1~/.test(location.hash)")
