@@ -5,7 +5,7 @@ import { evaluateCriteria, isMet } from '../maths/criteria.js';
 import { once } from '../maths/kept_values.js';
 import { placesOf } from '../maths/open_loop.js';
 import { element, headRow, panel, scrolling, set } from '../page/elements.js';
-import { number } from '../page/numbers.js';
+import { number } from '../drawing/numbers.js';
 
 /** @import { Workbench } from './workbench.js' */
 /** @typedef {import('../maths/criteria.js').Asked} Asked */
