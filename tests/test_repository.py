@@ -28,6 +28,7 @@ VIEWS = {
     "dual-actuation",
     "peak-bound",
     "greensite",
+    "whole-burn",
     "own-loop",
     "moving-loop",
 }
