@@ -1,11 +1,12 @@
 // A card with what an engineer asks of a loop: the criteria of chapter XVI for the gains that are set, with
 // their bounds, and whether each is met.
+
+import { number } from '../drawing/numbers.js';
 import { LETTER } from '../drawing/response_charts.js';
 import { evaluateCriteria, isMet } from '../maths/criteria.js';
 import { once } from '../maths/kept_values.js';
 import { placesOf } from '../maths/open_loop.js';
 import { element, headRow, panel, scrolling, set } from '../page/elements.js';
-import { number } from '../drawing/numbers.js';
 
 /** @import { Workbench } from './workbench.js' */
 /** @typedef {import('../maths/criteria.js').Asked} Asked */

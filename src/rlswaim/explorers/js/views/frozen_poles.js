@@ -1,10 +1,10 @@
 // The poles of a fixed and of a scheduled design, the vehicle frozen at a time of the burn, with their trail.
 import { contextOf } from '../drawing/context.js';
 import { dot, mark, signsOf } from '../drawing/marks.js';
+import { number } from '../drawing/numbers.js';
 import { sPlane } from '../drawing/s_plane.js';
 import { frameOf, viewOf } from '../drawing/view.js';
 import { element, legend, picture, scrolling, set } from '../page/elements.js';
-import { number } from '../page/numbers.js';
 import { PoleTable } from '../page/pole_table.js';
 import { pace } from '../page/verdict.js';
 import { simple } from './simple_view.js';
