@@ -61,17 +61,24 @@ def site() -> Iterator[str]:
         running.shutdown()
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """A Chromium that resolves no name."""
+@contextmanager
+def launched(window: bool = False) -> Iterator[Browser]:
+    """Start a Chromium that resolves no name: the browser that readers have, or the engine alone."""
     try:
-        path = find_chromium()
+        path = find_chromium(window)
     except NoChromiumError as error:
         pytest.fail(str(error), pytrace=False)
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=path, args=FLAGS)
         yield chromium
         chromium.close()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """A Chromium, the engine alone where it is there."""
+    with launched() as chromium:
+        yield chromium
 
 
 @pytest.fixture(scope="module")
