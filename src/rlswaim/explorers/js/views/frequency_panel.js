@@ -197,7 +197,7 @@ export class FrequencyPanel {
     const { running, gain } = this.cut;
     if (!this.frequencies)
       return `${running} = ${number(gain)}: nothing is fed back, so there is no loop to cut.`;
-    const rest = this.bench.system.vehicle ? 'rigid body' : 'rest';
+    const rest = this.bench.system.loop ? 'rest' : 'rigid body';
     return namedMarginWords(
       this.margins,
       this.cut.isStable,
