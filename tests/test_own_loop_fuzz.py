@@ -7,6 +7,7 @@ import urllib.parse
 import control
 import numpy as np
 import pytest
+from playwright.sync_api import Page
 
 import rlswaim as rl
 from own_loops import LOOPS
@@ -16,6 +17,8 @@ from test_own_loop_view import START, type_in
 
 COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
 LONGEST = 500  # ms
+TRIES = 4
+"""A text counts as slow if it is so each time: a busy machine may hold up any page once."""
 
 
 @pytest.fixture(scope="module")
@@ -162,6 +165,19 @@ def shown(rng: random.Random) -> str:
     return said + (f",view.requirements={rng.choice(ASKED)}" if rng.random() < 0.4 else "")
 
 
+def longest_task(page: Page, text: str, address: str) -> float:
+    """Bring a text into the field, or the address where there is one; return the longest task (ms)."""
+    page.evaluate("() => { tasks.length = 0; }")
+    if address:
+        page.evaluate("(hash) => { location.hash = hash; }", address)
+    else:
+        page.evaluate("(text) => model.set('loop', text)", text)
+    page.wait_for_timeout(60)
+    failed = page.locator("output").first.inner_text()
+    assert "could not be drawn" not in failed, (text, address, failed)
+    return page.evaluate("() => Math.max(0, ...tasks.map(({ duration }) => duration))")
+
+
 def test_hostile_texts(page):
     """In the field and by the address: no error on the page, no long task, and the view lives on."""
     page.evaluate(
@@ -175,18 +191,13 @@ def test_hostile_texts(page):
     slow = []
     for i in range(COUNT):
         text, k = hostile(rng), rng.choice(["1", "1e308", "-1e30", "0", "x", "1e-300", "3.5"])
-        page.evaluate("() => { tasks.length = 0; }")
-        if i % 2:
-            page.evaluate("(text) => model.set('loop', text)", text)
-        else:
-            page.evaluate(
-                "(hash) => { location.hash = hash; }",
-                f"own-loop:loop={urllib.parse.quote(text)},k={k}{shown(rng)}",
-            )
-        page.wait_for_timeout(60)
-        longest = page.evaluate("() => Math.max(0, ...tasks.map(({ duration }) => duration))")
-        failed = page.locator("output").first.inner_text()
-        assert "could not be drawn" not in failed, (text, k, failed)
+        address = "" if i % 2 else f"own-loop:loop={urllib.parse.quote(text)},k={k}{shown(rng)}"
+        longest = longest_task(page, text, address)
+        for _ in range(TRIES - 1):
+            if longest <= LONGEST:
+                break
+            longest_task(page, "", "own-loop:loop=1/(s+1),k=1")  # another state between
+            longest = min(longest, longest_task(page, text, address))
         if longest > LONGEST:
             slow.append((text, k, longest))
     assert slow == []
