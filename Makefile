@@ -53,7 +53,7 @@ ready: ## set up all, and build the book
 book: ## build the book into _build/html, warnings being errors; only what changed
 	+@$(LOCKED) $(HTML)/.built
 
-pdf: ready ## print the whole book into _build/book.pdf, with an outline and links
+pdf: ready ## print the whole book into _build/book.pdf, with contents, an outline and links
 	@$(BIN)/python tests/chromium.py
 	$(BIN)/jupyter-book build . --builder singlehtml -W -n --keep-going
 	PYTHONPATH=tests $(BIN)/python book/whole_book.py _build/singlehtml _build/book.pdf
@@ -67,7 +67,7 @@ test: ready ## check everything: numbers, notebooks, contracts, and each built p
 	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST)  # the tests of a file share what they prepare
 
 fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad input, each page's address and the loop field
-	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py tests/test_hostile_addresses.py tests/test_own_loop_view.py
+	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/test_fuzz.py tests/test_hostile_addresses.py tests/test_own_loop_fuzz.py
 
 bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
 	@mkdir -p _build

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import pytest
 from hypothesis import HealthCheck, settings
-from playwright.sync_api import Browser, Page, Route, sync_playwright
+from playwright.sync_api import Browser, Page, sync_playwright
 
 from chromium import FLAGS, NoChromiumError, find_chromium
 from livepage import LivePage, live
@@ -61,11 +61,11 @@ def site() -> Iterator[str]:
         running.shutdown()
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """A Chromium that resolves no name."""
+@contextmanager
+def launched(window: bool = False) -> Iterator[Browser]:
+    """Start a Chromium that resolves no name: the browser that readers have, or the engine alone."""
     try:
-        path = find_chromium()
+        path = find_chromium(window)
     except NoChromiumError as error:
         pytest.fail(str(error), pytrace=False)
     with sync_playwright() as playwright:
@@ -75,8 +75,15 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """A Chromium, the engine alone where it is there."""
+    with launched() as chromium:
+        yield chromium
+
+
+@pytest.fixture(scope="module")
 def visit(browser: Browser, site: str) -> Callable[[str], Iterator[Visit]]:
-    """Open a page of the book by its path, in a fresh context that lets nothing out."""
+    """Open a page of the book by its path, in a fresh context; the browser resolves no name outside."""
 
     @contextmanager
     def opened(path: str) -> Iterator[Visit]:
@@ -84,15 +91,8 @@ def visit(browser: Browser, site: str) -> Callable[[str], Iterator[Visit]]:
         page = context.new_page()
         found = Visit(page, [], [])
 
-        def guard(route: Route) -> None:
-            address = route.request.url
-            if address.startswith((f"{site}/", "data:", "blob:")):
-                route.continue_()
-            else:
-                found.outside.append(address)
-                route.abort()
-
-        context.route("**/*", guard)
+        inside = (f"{site}/", "data:", "blob:")
+        page.on("request", lambda r: r.url.startswith(inside) or found.outside.append(r.url))
         page.on("pageerror", lambda error: found.errors.append(f"page error: {error}"))
         page.on("console", lambda line: line.type == "error" and found.errors.append(f"console: {line.text}"))
         page.on("response", lambda r: r.status >= 400 and found.errors.append(f"{r.status} {r.url}"))

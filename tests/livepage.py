@@ -29,9 +29,19 @@ PAGES = {
     "comparison": "book/08-conclusions.html",
     "peak-bound": "book/15-limits-of-performance.html",
     "greensite": "book/18-another-vehicle.html",
+    "whole-burn": "book/19-whole-burn.html",
 }
-MORE = {"book/18-another-vehicle.html": 1}
-"""How many views of other systems, which have pages of their own, stand on a page too."""
+MORE = {
+    "book/16-designs-and-loads.html": ("dual-actuation",),
+    "book/17-ladder-of-models.html": ("dual-actuation",),
+    "book/18-another-vehicle.html": ("rate-attitude",),
+}
+"""Views of other systems, which have pages of their own, that stand on a page too."""
+ON_PAGES = {
+    path: tuple(name for name, at in PAGES.items() if at == path) + MORE.get(path, ())
+    for path in sorted({*PAGES.values(), *MORE})
+}
+"""All views with sliders or pictures of their own by page, but for that of one's own loop."""
 WORKBENCHES = ("rate-attitude", "single-sensor", "two-sensor", "dual-actuation")
 BOOSTER, EQUATIONS = rl.swaim_booster(), rl.printed_equations()
 ASCENT = trajectory.swaim_ascent()
@@ -47,6 +57,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "comparison": lambda: explorers.comparison_explorer(EQUATIONS),
     "peak-bound": explorers.peak_bound_explorer,
     "greensite": explorers.greensite_explorer,
+    "whole-burn": explorers.frozen_poles_explorer,
 }
 library = cache(lambda name: MAKERS[name]())
 """The view in Python: its parameters, and what the library computes at their values."""
@@ -169,9 +180,9 @@ class LivePage(NamedTuple):
 
 
 @contextmanager
-def live(visit: Callable, name: str, anchor: str = "") -> Iterator[LivePage]:
-    """Open a live view on its page; anything asked from outside and any error on the page is a failure."""
-    with visit(f"{PAGES[name]}{anchor}") as (page, outside, errors):
+def live(visit: Callable, name: str, anchor: str = "", at: str = "") -> Iterator[LivePage]:
+    """Open a live view on its page or on ``at``; anything asked from outside and any error is a failure."""
+    with visit(f"{at or PAGES[name]}{anchor}") as (page, outside, errors):
         root = page.locator(f"[data-explorer='{name}']").first
         root.wait_for()
         root.scroll_into_view_if_needed()

@@ -23,6 +23,7 @@ MAKERS: dict[str, Callable[..., LiveView]] = {
     "trajectory": lambda **values: explorers.ascent_explorer(ASCENT, BOOSTER.flight, **values),
     "coupling": lambda **values: explorers.coupled_vehicle_explorer(BOOSTER, **values),
     "peak-bound": explorers.peak_bound_explorer,
+    "whole-burn": explorers.frozen_poles_explorer,
     "station-map": lambda **values: explorers.station_map_explorer(PRINTED, **values),
 }
 view_of = cache(lambda name: MAKERS[name]())

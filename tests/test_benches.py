@@ -2,14 +2,20 @@
 
 from collections.abc import Iterator
 
+import control
 import numpy as np
 import pytest
 from playwright.sync_api import Page
 
 import rlswaim as rl
+from criteria_rows import ROWS, agree
 from rlswaim import explorers
+from rlswaim.explorers.criteria_card import STATIONS
 from rlswaim.explorers.live_view import LiveView
+from rlswaim.loops.cut_loop import cut_loop
+from rlswaim.practice import criteria
 from rlswaim.practice.burn import equations_at
+from rlswaim.practice.loads import section_loads, with_moments
 from rlswaim.vehicle import trajectory
 from standin import SITE, opened, paired
 
@@ -141,6 +147,38 @@ def test_chapter_3_closes_the_loop_around_the_vehicle_of_its_sliders(coupled, sy
         page.wait_for_timeout(120)
         now = {name: page.evaluate("name => model.get(name)", name) for name in view_data()}
         assert_poles(page, system, rl.with_other_data(OWN, **now))
+
+
+def own_equations(page: Page, view: LiveView) -> rl.PerturbationEquations:
+    """Return the equations of the vehicle that a view opens with."""
+    if view.system != "trajectory":
+        return OWN
+    told, start = view.payload, view.payload["bench"]["plant"]["own"]
+    row = [told["nodes"][name].index(start[name]) for name in ("upright", "level")]
+    at = told["times"].index(start["t"])
+    U, q_D = (told["curves"][name][row[0]][row[1]][at] for name in ("U", "q_D"))
+    return equations_at(start["t"], U=U, q_D=q_D)
+
+
+def test_criteria_are_those_of_the_bench_s_own_vehicle(bench):
+    page, view = bench
+    choose(page, "dual-actuation")
+    page.locator("[data-panel=criteria]").evaluate("card => { card.open = true; }")
+    page.wait_for_function("el.querySelectorAll('[data-panel=criteria] tbody tr').length > 15")
+    rows = page.locator("[data-panel=criteria] tbody tr").evaluate_all(ROWS)
+    eqs, given = own_equations(page, view), values(page)
+    gains = {name: given[name] for name in ("K_A", "K_C", "K_R", "kK_z", "K_r", "b", "sensor", "jet")}
+
+    def loop(K_A: float) -> control.StateSpace:
+        return rl.dual_actuation(eqs, **gains | {"K_A": K_A})
+
+    closed = loop(gains["K_A"])
+    if view.system == "bent-vehicle":
+        closed = with_moments(closed, section_loads(BOOSTER, eqs, STATIONS, gains["jet"]))
+    modes = {f"bending {i}": mode.omega for i, mode in enumerate(eqs.modes, start=1)}
+    found = criteria.evaluate(closed, eqs.U, cut_loop(loop, gains["K_A"]), modes)
+    assert sum(np.isfinite(c.value) for c in found) > 8
+    agree(rows, found)
 
 
 def view_data() -> list[str]:

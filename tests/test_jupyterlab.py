@@ -12,6 +12,7 @@ from urllib.request import urlopen
 
 import pytest
 
+from conftest import launched
 from lab_copies import HERE, copy_all
 
 NOTEBOOK = "05-single-sensor.ipynb"
@@ -73,6 +74,13 @@ def test_the_code_is_the_book_s(copies):
             for at in (path, copies / path.name)
         )
         assert ["".join(source) for source in book] == ["".join(source) for source in copy]
+
+
+@pytest.fixture
+def browser():
+    """The browser that readers have: JupyterLab draws a notebook as its window shows it."""
+    with launched(window=True) as chromium:
+        yield chromium
 
 
 def test_a_view_follows_its_sliders(browser, lab):

@@ -1,5 +1,6 @@
 """The live views in Firefox and WebKit: sliders to both ends, a drag, a link, and no error on the page."""
 
+import re
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -8,11 +9,20 @@ from http.server import ThreadingHTTPServer
 
 import pytest
 
-from conftest import HTML
+from conftest import HTML, ROOT
 from livepage import PAGES
 from other_browsers import STARTED, Driven, MissingBrowserError
 from serve import Handler
 
+ELSEWHERE = [
+    ("dual-actuation", "book/16-designs-and-loads.html"),
+    ("dual-actuation", "book/17-ladder-of-models.html"),
+    ("rate-attitude", "book/18-another-vehicle.html"),
+    ("own-loop", "book/20-own-loop.html"),
+]
+"""Views that stand on other pages than their own, and that of one's own loop."""
+WITH_SLIDERS = [pair for pair in PAGES.items() if pair[0] != "station-map"] + ELSEWHERE
+FIRST_PAGE = "book/preface.html"
 LISTEN = """globalThis.wrong = [];
 addEventListener('error', ({ message, filename }) => wrong.push(`${message} ${filename}`), true);
 addEventListener('unhandledrejection', ({ reason }) => wrong.push(String(reason)));
@@ -28,17 +38,29 @@ MARK = (
 const panel = root.closest('.live-view');
 root.scrollIntoView({ block: 'center' });
 root.dataset.tried = '';
-return [...panel.querySelectorAll('[role=slider]')].map((slider, i) => {
+const beside = [...panel.querySelectorAll('[role=slider]')];
+const own = [...root.querySelectorAll('[data-parameter] [type=range]')];
+const sliders = beside.length ? beside : own.filter((slider) => !slider.closest('details:not([open])'));
+return sliders.map((slider, i) => {
   slider.dataset.tried = i;
-  return [slider.ariaValueMin, slider.ariaValueMax].map(Number);
+  return [slider.min ?? slider.ariaValueMin, slider.max ?? slider.ariaValueMax].map(Number);
 });"""
 )
-VALUE = "return Number(document.querySelector(arguments[0]).ariaValueNow)"
+VALUE = """const slider = document.querySelector(arguments[0]);
+return Number(slider.value ?? slider.ariaValueNow);"""
 PLACE = """const slider = document.querySelector(arguments[0]);
 slider.scrollIntoView({ block: 'center' });
-const [handle, track] = [slider, slider.closest('.noUi-target')].map((e) => e.getBoundingClientRect());
+const widget = slider.closest('.noUi-target');
+const [handle, track] = [slider, widget ?? slider].map((e) => e.getBoundingClientRect());
 const y = Math.round(handle.top + handle.height / 2);
-return [[Math.round(handle.left + handle.width / 2), y], [Math.round(track.left + .3 * track.width), y]];"""
+const start = widget ? handle.left + handle.width / 2 : handle.left + handle.height / 2;  // at its least
+return [[Math.round(start), y], [Math.round(track.left + .3 * track.width), y]];"""
+MOVING = """return [...root.querySelectorAll('[type=range]')].map((slider) => {
+  slider.dataset.tried = 0;
+  return [slider.min, slider.max].map(Number);
+});"""
+OUTPUT = "return document.querySelector('[data-explorer=moving-loop] output').textContent"
+MAKES = re.compile(r"\bexplorers\.\w+\(|\brl\.explore\(")
 TOLD = FIND + "return root.querySelector('table').innerText"
 
 
@@ -103,24 +125,55 @@ def shown(browser: Driven, address: str, name: str) -> list[list[float]]:
     return browser.run(MARK, name)
 
 
-@pytest.mark.parametrize("name", [name for name in PAGES if name not in ("comparison", "station-map")])
-def test_sliders_drag_and_link(other: Driven, listening: str, name: str):
-    address = f"{listening}/{PAGES[name]}"
+def assert_link_shows(browser: Driven, address: str, name: str) -> None:
+    """What the view tells now, it tells again by the address that it has written."""
+    told = browser.run(TOLD, name)
+    time.sleep(0.5)  # the address follows when the hand rests
+    link = browser.run("return location.hash")
+    assert link
+    assert browser.run(WRONG) == []
+    shown(browser, address + link, name)
+    until(lambda: browser.run(TOLD, name) == told, browser, f"the same table by {link}")
+    assert browser.run(WRONG) == []
+
+
+def to_both_ends(browser: Driven, sliders: list[list[float]]) -> None:
+    """Bring each slider to its largest value, and back to its least."""
+    for i, (least, most) in enumerate(sliders):
+        slider = f"[data-tried='{i}']"
+        for key, end in (("END", most), ("HOME", least)):
+            browser.press(slider, key)
+            until(lambda s=slider, e=end: browser.run(VALUE, s) == e, browser, f"slider {i} after {key}")
+
+
+def test_no_page_with_a_view_is_left_out():
+    pages = {path.stem for path in (ROOT / "book").glob("*.ipynb") if MAKES.search(path.read_text("utf-8"))}
+    tried = {*dict(WITH_SLIDERS).values(), *PAGES.values(), *(path for _, path in ELSEWHERE), FIRST_PAGE}
+    assert {f"book/{page}.html" for page in pages} == tried
+
+
+@pytest.mark.parametrize(("name", "path"), WITH_SLIDERS)
+def test_sliders_drag_and_link(other: Driven, listening: str, name: str, path: str):
+    address = f"{listening}/{path}"
     sliders = shown(other, address, name)
     assert sliders, "no sliders"
-    for i, (least, most) in enumerate(sliders):
-        slider = f"[role=slider][data-tried='{i}']"
-        for key, end in (("END", most), ("HOME", least)):
-            other.press(slider, key)
-            assert other.run(VALUE, slider) == end, f"slider {i} after {key}"
-    first, told = "[role=slider][data-tried='0']", other.run(TOLD, name)
+    to_both_ends(other, sliders)
+    first, told = "[data-tried='0']", other.run(TOLD, name)
     other.drag(*other.run(PLACE, first))
     assert other.run(VALUE, first) != sliders[0][0], "the drag moved nothing"
     until(lambda: other.run(TOLD, name) != told, other, "a new table")
-    told = other.run(TOLD, name)
-    time.sleep(0.5)  # the address follows when the hand rests
-    link = other.run("return location.hash")
+    assert_link_shows(other, address, name)
+
+
+def test_the_loop_on_the_first_page(other: Driven, listening: str):
+    name = "moving-loop"
+    shown(other, f"{listening}/{FIRST_PAGE}", name)
+    (ends,) = other.run(FIND + MOVING, name)
+    to_both_ends(other, [ends])
+    before = other.run(OUTPUT)
+    other.drag(*other.run(PLACE, "[data-tried='0']"))
+    until(lambda: other.run(OUTPUT) != before, other, "another gain")
     assert other.run(WRONG) == []
-    shown(other, address + link, name)
-    until(lambda: other.run(TOLD, name) == told, other, f"the same table by {link}")
+    other.run("document.querySelector('[data-explorer=moving-loop] a').click()")
+    until(lambda: other.run(READY, "rate-attitude"), other, "the workbench of its link")
     assert other.run(WRONG) == []

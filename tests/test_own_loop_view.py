@@ -1,8 +1,4 @@
-"""The view of one's own loop in Chromium: typed, stepped, undone, shared, copied, fed with hostile text."""
-
-import os
-import random
-import urllib.parse
+"""The view of one's own loop in Chromium: typed, stepped, undone, shared, copied."""
 
 import control
 import numpy as np
@@ -12,11 +8,9 @@ import rlswaim as rl
 from own_loops import LOOPS
 from rlswaim.explorers.gallery import gallery
 from rlswaim.explorers.own_loop import loop_text
-from standin import SITE, opened, paired, show, table
+from standin import opened, paired, show, table
 
 START = control.tf([1], [1, 2, 2, 0])
-COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
-LONGEST = 500  # ms
 
 
 @pytest.fixture(scope="module")
@@ -126,127 +120,6 @@ def test_link_and_python_give_the_loop_again(browser, page, name):
         other.wait_for_timeout(300)
         assert other.evaluate("model.get('loop')") == text
         assert (table(other) == table(page)).all()
-
-
-PIECES = [
-    "s",
-    "z",
-    "1",
-    "-2.5",
-    "1e60",
-    "1e-60",
-    "1e999",
-    "(",
-    ")",
-    "[",
-    "]",
-    ";",
-    ",",
-    "^",
-    "/",
-    "*",
-    "+",
-    "-",
-    "j",
-    "\n",
-]
-PIECES += [
-    " ",
-    "A = ",
-    "B = ",
-    "C = ",
-    "D = ",
-    "num = ",
-    "den = ",
-    "poles = ",
-    "zeros = ",
-    "gain = ",
-    "dt = 0.1",
-    "tf(",
-]
-PIECES += [
-    "zpk(",
-    "ss(",
-    "^30",
-    "(s+1)^29",
-    "----\n",
-    "<img src=x onerror=alert(1)>",
-    "${alert(1)}",
-    "__proto__",
-    "NaN",
-]
-PIECES += [
-    "Infinity",
-    "\u202e",
-    "\u0000",
-    "0x10",
-    "1_000",
-    "[" * 200,
-    "(" * 2000,
-    "9" * 400,
-    "a" * 3000,
-    "eye(3)",
-    "%",
-]
-FORMS = ["1/(s+1)", "num = [1 2]; den = [1 3 2 0]", "zeros = [-2]\npoles = [0, -1+5j, -1-5j]\ngain = 4"]
-FORMS += [loop_text(system) for system in list(LOOPS.values())[:12]]
-
-
-def hostile(rng: random.Random) -> str:
-    """Return a text: rubbish, a form that was cut or mended, or numbers of any size in a form."""
-    if rng.random() < 0.35:
-        return "".join(rng.choice(PIECES) for _ in range(rng.randrange(1, 25)))
-    text = rng.choice(FORMS)
-    if rng.random() < 0.5:
-        order = rng.randrange(1, 34)
-        numbers = [f"{rng.choice([-1, 1]) * 10 ** rng.uniform(-9, 9):.6g}" for _ in range(order)]
-        dt = rng.choice([0, 0.1, 1e-9, "True"])
-        text = f"num = [{rng.choice(numbers)}]; den = [{' '.join(numbers)}]; dt = {dt}"
-    for _ in range(rng.randrange(3)):
-        at = rng.randrange(len(text) + 1)
-        text = text[:at] + rng.choice(PIECES) + text[at + rng.randrange(4) :]
-    return text
-
-
-def test_hostile_texts(page):
-    """In the field and by the address: no error on the page, no long task, and the view lives on."""
-    page.evaluate(
-        """() => {
-             globalThis.tasks = [];
-             const watch = new PerformanceObserver((list) => tasks.push(...list.getEntries()));
-             watch.observe({ type: 'longtask' });
-           }"""
-    )
-    rng = random.Random(1964)
-    slow = []
-    for i in range(COUNT):
-        text, k = hostile(rng), rng.choice(["1", "1e308", "-1e30", "0", "x", "1e-300", "3.5"])
-        page.evaluate("() => { tasks.length = 0; }")
-        if i % 2:
-            page.evaluate("(text) => model.set('loop', text)", text)
-        else:
-            page.evaluate(
-                "(hash) => { location.hash = hash; }", f"own-loop:loop={urllib.parse.quote(text)},k={k}"
-            )
-        page.wait_for_timeout(60)
-        longest = page.evaluate("() => Math.max(0, ...tasks.map(({ duration }) => duration))")
-        failed = page.locator("output").first.inner_text()
-        assert "could not be drawn" not in failed, (text, k, failed)
-        if longest > LONGEST:
-            slow.append((text, k, longest))
-    assert slow == []
-    type_in(page, "1/(s+3)")
-    show(page, k=2.0)
-    assert table(page) == pytest.approx(np.array([-5.0]))
-
-
-@pytest.mark.parametrize("text", [")(", "A=[1e308]", "1/(s+1)^31", "<b>x</b>", "1/((z-1)(z-.5))"])
-def test_a_page_that_opens_with_any_text(browser, text):
-    address = f"{SITE}#own-loop:loop={urllib.parse.quote(text)},k=0.4"
-    with opened(browser, rl.explore(START), address) as other:
-        other.wait_for_timeout(200)
-        assert other.locator("table.poles tbody tr").count() in (2, 3)
-        assert other.locator(".loop-field b").count() == 1  # no element from the text
 
 
 def test_refused():

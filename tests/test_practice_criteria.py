@@ -65,6 +65,14 @@ def test_a_loop_that_is_not_stable_meets_nothing_in_time():
     assert not any(c.met for c in found)
 
 
+def test_a_loop_that_is_not_stable_has_no_margins():
+    closed = rl.rate_attitude(EQS, K_A=1.8, K_C=10, K_R=0.618, gyro=60)
+    found = criteria.evaluate(closed, EQS.U, OPEN, {"bending 1": 30.0})
+    margins_of_it = [c for c in found if not c.at_most]
+    assert [c.name for c in margins_of_it] == [c.name for c in FOUND.values() if not c.at_most]
+    assert all(np.isnan(c.value) and c.met is False for c in margins_of_it)
+
+
 def test_where_nothing_is_wanted_there_is_no_verdict():
     assert FOUND["moment 200"].met is None
     assert {name for name, c in FOUND.items() if c.met is None} == {"moment 200"}

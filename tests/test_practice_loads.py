@@ -5,9 +5,11 @@ import pytest
 
 import rlswaim as rl
 from rlswaim.practice import loads
+from rlswaim.vehicle.other_data import own_data, with_data, with_other_data
 
 BOOSTER = rl.swaim_booster().recomputed().orthogonalized()
 EQS = rl.perturbation_equations(BOOSTER)
+GAINS = {"K_A": 4.45, "K_C": 8.48, "K_R": 0.864, "kK_z": -389252.0, "K_r": 94.0, "b": 2.62}
 CUTS = np.arange(0.0, 420.1, 10.0)
 FOUND = loads.section_loads(BOOSTER, EQS, CUTS, 140.0)
 SIZE = np.abs(FOUND.moment).max(axis=0)
@@ -94,3 +96,22 @@ def test_refused():
         loads.section_loads(EQS, EQS, CUTS)
     with pytest.raises(ValueError, match=r"stations\[0\] in section_loads: got nan"):
         loads.section_loads(BOOSTER, EQS, [np.nan])
+
+
+@pytest.mark.parametrize("data", [{}, {"q_D": 300.0, "C_payload": 0.5, "C_fins": 2.0, "omega_1": 5.0}])
+def test_moment_is_the_sum_of_its_terms_for_other_data_too(data):
+    booster = rl.swaim_booster()
+    eqs = with_other_data(rl.printed_equations(), gravity=bool(data), **data)
+    changed = with_data(booster, **data)
+    loop = rl.dual_actuation(eqs, **GAINS, sensor=57.0, jet=150.0)
+    wanted = loads.with_moments(loop, loads.section_loads(changed, eqs, [200.0], 150.0))
+    given = {**own_data(changed), "gravity": eqs.gravity, "lever": 50.0}
+    for s in (0.3j, 2j, 1 + 20j):
+        at = dict(zip(loop.output_labels, loop(s)[:, loop.input_labels.index("alpha_g")], strict=True))
+        at["alpha_g"] = 1.0
+        terms = loads.moment_terms(booster, eqs, 200.0)
+        found = sum(
+            t.weight * np.prod([given[f] for f in t.factors]) * s**t.order * at[t.quantity] for t in terms
+        )
+        moment = wanted(s)[wanted.output_labels.index("moment 200"), loop.input_labels.index("alpha_g")]
+        assert found == pytest.approx(moment, rel=1e-9)

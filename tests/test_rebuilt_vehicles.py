@@ -3,6 +3,7 @@
 from dataclasses import replace
 from itertools import product
 
+import control
 import numpy as np
 import pytest
 from scipy.optimize import brentq
@@ -227,6 +228,39 @@ def test_deciding_gains_are_those_at_which_something_changes(sensor, jet):
         assert np.abs(found - gain).min() <= 1e-6 * abs(gain)
     for gain in found[np.abs(found) > 1e-6]:
         assert np.abs(wanted - gain).min() <= 1e-6 * abs(gain)
+
+
+@pytest.mark.parametrize("pair", TRIALS, ids=lambda pair: f"case {pair.case}")
+@pytest.mark.parametrize(("points", "off"), [(600, 0.0), (1500, 0.0), (5000, 0.0), (200, 1e-12)])
+def test_no_grid_and_no_last_digit_decides_a_trial(pair, points, off):
+    """The judgement is the same on any grid of gains, and with coefficients off by rounding."""
+    loop, elastic = DESIGN._replace(sensor=pair.sensor, jet=pair.jet), elastic_poles(EQS)
+    opened, rng = closures.closure_1_open_loop(EQS, loop), np.random.default_rng(pair.case)
+    top, bottom = (p[0][0] * (1 + off * rng.uniform(-1, 1, p[0][0].size)) for p in (opened.num, opened.den))
+    gains = pair.sign * np.concatenate([[0.0], abs(LARGEST) * np.geomspace(1e-7, 1, points)])
+    found = table_3._trial(pair.case, loop, pair.sign, elastic, rl.root_locus(control.tf(top, bottom), gains))
+    assert (found.outcome, found.unstable) == (pair.outcome, pair.unstable)
+    assert found.factors == pytest.approx(pair.factors, rel=1e-5, nan_ok=True)
+
+
+def ends_on_the_axis(loop, sign, mode):
+    """Return whether a mode's pair becomes real on the way, from companion matrices in small steps."""
+    opened = closures.closure_1_open_loop(EQS, loop)
+    root = elastic_poles(EQS)[mode]
+    for gain in sign * abs(LARGEST) * np.geomspace(1e-7, 1, 4001):
+        roots = np.roots(np.polyadd(opened.den[0][0], gain * opened.num[0][0]))
+        root = roots[np.abs(roots - root).argmin()]
+        if root.imag == 0:
+            return True
+    return False
+
+
+@pytest.mark.parametrize("case", [3, 5, 8, 9, 21, 22])
+def test_a_mode_ends_where_its_roots_meet_on_the_axis(case):
+    pair = TRIALS[case - 1]
+    loop = DESIGN._replace(sensor=pair.sensor, jet=pair.jet)
+    ended = [ends_on_the_axis(loop, pair.sign, mode) for mode in range(2)]
+    assert list(np.isnan(pair.factors)) == ended
 
 
 def first_changes(loop, phi):

@@ -10,6 +10,8 @@ from pathlib import Path
 import nbformat
 import pytest
 from matplotlib import pyplot as plt
+from pybtex.database import parse_file
+from pybtex.style.labels.alpha import LabelStyle
 
 from rlswaim.edition.ledger import counts, errata, ledger
 from rlswaim.source.tables import read_table
@@ -26,6 +28,7 @@ VIEWS = {
     "dual-actuation",
     "peak-bound",
     "greensite",
+    "whole-burn",
     "own-loop",
     "moving-loop",
 }
@@ -53,6 +56,14 @@ def tracked():
 
 
 TRACKED = tracked()
+
+
+def test_labels_of_works_are_short():
+    """A work by a body has the letters of its name, not its words run together."""
+    works = parse_file(ROOT / "book" / "references.bib").entries
+    labels = {key: LabelStyle().format_label(work) for key, work in works.items()}
+    assert labels["icao1993"] == "ICAO93"
+    assert {key: label for key, label in labels.items() if len(label) > 8} == {}
 
 
 def test_no_tracked_file_is_large():

@@ -103,6 +103,23 @@ def test_lines_are_short():
     assert long == {}
 
 
+ROOMS = ["maths", "reading", "drawing", "page", "views"]
+"""The scripts' rooms; each imports from those before it alone."""
+IMPORT = re.compile(r"^(?:import|export)\b[^;]*?from '(\.[^']+)';", re.MULTILINE)
+
+
+def test_imports_of_scripts_go_one_way():
+    root = ROOT / "src" / "rlswaim" / "explorers" / "js"
+    ways = set()
+    for path in root.rglob("*.js"):
+        for name in IMPORT.findall(path.read_text(encoding="utf-8")):
+            other = (path.parent / name).resolve().relative_to(root)
+            ways.add((path.relative_to(root).parts[0], other.parts[0]))
+    assert ("views", "maths") in ways
+    assert {one for one, _ in ways} <= set(ROOMS)
+    assert [way for way in sorted(ways) if ROOMS.index(way[1]) > ROOMS.index(way[0])] == []
+
+
 @pytest.mark.parametrize(
     "path", sorted((ROOT / "tests" / "js").glob("*.test.mjs")), ids=lambda path: path.name
 )

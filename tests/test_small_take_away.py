@@ -17,6 +17,7 @@ OTHER = {
     "coupling": {"omega_1": 4.0},
     "station-map": {"sensor": 100},
     "peak-bound": {"gyro_a": 100},
+    "whole-burn": {"t": 20},
 }
 
 

@@ -28,9 +28,7 @@ class TestEveryView:
     def test_is_named_and_told_in_words(self, shown):
         page, view = shown
         assert page.evaluate("el.dataset.explorer") == view.system
-        canvases = {"bent-vehicle": 1, "trajectory": 4, "coupling": 1, "station-map": 2, "peak-bound": 2}[
-            view.system
-        ]
+        canvases = {"trajectory": 4, "station-map": 2, "peak-bound": 2}.get(view.system, 1)
         assert page.locator("canvas").count() == canvases
         for canvas in page.locator("canvas").all():
             assert len(canvas.get_attribute("aria-label")) > 20

@@ -1,5 +1,6 @@
 """Tables of the built pages: symbols are set as symbols, and what the search field finds by its name."""
 
+import json
 import re
 import sys
 from html import unescape
@@ -13,7 +14,9 @@ from typeset_tables import in_html, typeset
 HTML = Path(__file__).parent.parent / "_build" / "html"
 BOOK = Path(__file__).parent.parent / "book"
 PAGES = sorted(path.stem for path in BOOK.iterdir() if path.suffix in (".ipynb", ".md"))
-BARE = re.compile(r"\b(?:omega|phi|zeta|alpha|theta|gamma|delta|sigma)(?:_\w)?\b|\b(?<!\w-)[A-Zl]_\w|\^\d")
+BARE = re.compile(
+    r"\b(?:omega|phi|zeta|alpha|theta|gamma|delta|sigma)(?:_\w)?\b|\b(?<!\w-)[A-Zl]_\w|\^\d|\b\w+_\w+"
+)
 
 
 def set_as(text: str) -> str:
@@ -31,6 +34,13 @@ def set_as(text: str) -> str:
         ("pade_order of jet_lb", "pade_order of jet_lb"),
         ("eq75-K_A", "eq75-K_A"),
         ("no symbol, 10 percent", "no symbol, 10 percent"),
+        ("alpha_deg", "<emphasis>α</emphasis>"),
+        ("bending 1 delay_s", "bending 1 delay margin"),
+        ("sensor_a (a choice)", "first sensor (a choice)"),
+        (
+            "mode_3_ratio",
+            "<emphasis>ω</emphasis><subscript>3</subscript> / <emphasis>ω</emphasis><subscript>2</subscript>",
+        ),
     ],
 )
 def test_a_cell_sets_its_symbols(text, wanted):
@@ -47,6 +57,19 @@ def test_indices_stand_below_each_other():
     inner = "<subscript><emphasis>N</emphasis><subscript><emphasis>α</emphasis></subscript></subscript>"
     assert set_as("C_N_alpha") == f"<emphasis>C</emphasis>{inner}"
     assert "θ\N{COMBINING DOT ABOVE}" in set_as("M_thetadot")
+
+
+@pytest.mark.parametrize("path", sorted(BOOK.glob("*.ipynb")), ids=lambda path: path.stem)
+def test_no_words_in_a_stored_figure_have_bare_symbols(path):
+    """Titles, labels and legends set a symbol as a formula, in which no Greek letter is spelled."""
+    stored = json.loads(path.read_text(encoding="utf-8"))
+    outputs = [output for cell in stored["cells"] for output in cell.get("outputs", [])]
+    pictures = ["".join(output.get("data", {}).get("image/svg+xml", "")) for output in outputs]
+    texts = [
+        text for picture in pictures for text in re.findall(r"<text\b[^>]*>(.*?)</text>", picture, re.DOTALL)
+    ]
+    words = [unescape(re.sub(r"<[^>]+>", "", text)).strip() for text in texts]
+    assert [text for text in words if BARE.search(text)] == []
 
 
 def cells(page: str) -> list[str]:

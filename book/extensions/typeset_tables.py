@@ -1,6 +1,8 @@
 """Set the symbols in tables as symbols: K_A with its index, omega_1 as a Greek letter, ft^2 with a raised 2.
 
 A table's cells are plain texts, as the library names things; a formula or code among them stays as it is.
+A cell that is a name of the library and no symbol (alpha_deg, "rigid gain_dB") says what
+`source/data/names.csv` has for it.
 """
 
 import re
@@ -14,12 +16,15 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
 from rlswaim.edition.notation import GREEK
+from rlswaim.source.tables import read_table
 
 LETTERS = "|".join(sorted(GREEK, key=len, reverse=True))
 INDEX = rf"(?:\d?(?:{LETTERS}|q)?\d?[a-z]?(?:dot)?|CG|sp|fl|ins|tvc|[A-Za-z]{{1,2}}\d?)"
 SYMBOL = rf"\b(?<!\w-)(?:(?:[A-Za-z]|kK|calM|[FQ][12]|{LETTERS})(?:_{INDEX})+|{LETTERS})(?:dot)?\b"
 POWER = r"(?<=[\w)])\^-?\d+"
 PARTS = re.compile(f"(?P<symbol>{SYMBOL})|(?P<power>{POWER})")
+WORDS = {row["name"]: row["shown"] for row in read_table("names")}
+CHOICE = " (a choice)"
 KEPT = (nodes.math, nodes.literal, nodes.raw, nodes.emphasis, nodes.subscript)
 DOT = "\N{COMBINING DOT ABOVE}"
 
@@ -44,8 +49,17 @@ def symbol(name: str) -> list[nodes.Node]:
     return [*letter(head), *index]
 
 
+def said(text: str) -> str:
+    """Return a cell's text with a name of the library in words: one that is all of it, or beside a mode."""
+    *before, name = text.split(" ")
+    if text.endswith(CHOICE):
+        return said(text.removesuffix(CHOICE)) + CHOICE
+    return " ".join([*before, WORDS.get(name, name)]) if all(map(str.isalnum, before)) else text
+
+
 def typeset(text: str) -> Iterator[nodes.Node]:
     """Give the parts of a text: its symbols and powers as such, the rest as it is."""
+    text = said(text)
     if re.fullmatch(r"[spz]\^\d", text):
         yield from (nodes.emphasis("", text[0]), nodes.superscript("", text[2:]))
         return
@@ -84,7 +98,7 @@ class TypesetTables(SphinxPostTransform):
         """Run the transform."""
         for entry in list(self.document.findall(nodes.entry)):
             for text in list(entry.findall(nodes.Text)):
-                if not isinstance(text.parent, KEPT) and PARTS.search(text):
+                if not isinstance(text.parent, KEPT) and (PARTS.search(text) or said(str(text)) != text):
                     text.parent.replace(text, list(typeset(str(text))))
         for raw in list(self.document.findall(nodes.raw)):
             if "<table" in raw.astext():

@@ -5,7 +5,8 @@ import { maths } from './maths.mjs';
 
 const page = (/** @type {string} */ name) =>
   import(new URL(`../../src/rlswaim/explorers/js/page/${name}.js`, import.meta.url).href);
-const { KINDS, isProper, ratioOf, rootsOf } = await maths('compensator');
+const { KINDS, isProper, kindsOf, ratioOf, rootsOf } = await maths('compensator');
+const { movementOf } = await maths('moved_roots');
 const { roots } = await maths('aberth');
 const { bounded, compensatorFrom, isSmall, textOf } = await page('compensator_text');
 const { pythonWith } = await page('compensator_python');
@@ -20,15 +21,16 @@ function size(c, re, im) {
   return Math.hypot(a, b);
 }
 
-test('each kind has the roots of its polynomials, and is 1 at s = 0', () => {
+test('each kind has the roots of its polynomials, and is 1 at s = 0 or z = 1', () => {
   for (const [kind, { fresh, ratio, least, most, names }] of Object.entries(KINDS)) {
-    const values = fresh(2);
+    const values = fresh(2).map((/** @type {number} */ v, /** @type {number} */ k) => bounded(kind, k, v));
     assert.equal(values.length, names.length);
     assert.ok(
       values.every((/** @type {number} */ v, /** @type {number} */ k) => v >= least[k] && v <= most[k]),
     );
     const { N, D } = ratio(values);
-    assert.ok(Math.abs(N[0] / D[0] - 1) < 1e-15, kind);
+    const still = kindsOf(true).includes(kind) ? 1 : 0;
+    assert.ok(Math.abs(size(N, still, 0) / size(D, still, 0) - 1) < 1e-12, kind);
     const { poles, zeros } = rootsOf({ kind, values }, roots);
     assert.deepEqual([zeros.length, poles.length], [N.length - 1, D.length - 1]);
     for (const { re, im } of poles) assert.ok(size(D, re, im) < 1e-12);
@@ -39,6 +41,40 @@ test('each kind has the roots of its polynomials, and is 1 at s = 0', () => {
 test('a delay passes all frequencies alike and lags as it should', () => {
   const { N, D } = ratioOf({ place: 'K', gain: 1, sections: [DELAY] });
   for (const omega of [0.1, 1, 10]) assert.ok(Math.abs(size(N, 0, omega) / size(D, 0, omega) - 1) < 1e-13);
+});
+
+test('a moved root is where it was moved to', () => {
+  for (const [kind, { fresh, moved, least }] of Object.entries(KINDS)) {
+    if (!moved) continue;
+    const values = fresh(0.7);
+    const isDiscrete = kindsOf(true).includes(kind);
+    const isReal = least.length < 2 || kind.endsWith('lead');
+    const to = isDiscrete ? { re: 0.6, im: isReal ? 0 : 0.3 } : { re: -2, im: isReal ? 0 : 3 };
+    const from = rootsOf({ kind, values }, roots).poles[0];
+    const { poles } = rootsOf({ kind, values: moved(values, false, to, from) }, roots);
+    const { zeros } = rootsOf({ kind, values: moved(values, true, to, from) }, roots);
+    const off = [...poles, ...zeros].map(({ re, im }) => Math.hypot(re - to.re, im - to.im));
+    if (kind === 'delay') assert.ok(Math.abs(Math.hypot(poles[0].re, poles[0].im) - Math.sqrt(13)) < 3e-3);
+    else assert.ok(Math.min(...off) < 1e-3, kind);
+  }
+});
+
+test('in z a root goes with its frequency along its damping, and keys step it', () => {
+  const inZ = movementOf(0.1);
+  const [re, im] = inZ.at(0.8, 0.3, 2 * inZ.omega(0.8, 0.3));
+  assert.ok(Math.hypot(re - (0.8 ** 2 - 0.3 ** 2), im - 2 * 0.8 * 0.3) < 1e-12); // z^2
+  assert.equal(inZ.at(0.8, 0.3, 1e9)[1] < 1e-12, true);
+  assert.deepEqual(inZ.stepped(0.5, 0, 0, 1), [0.51, 0]);
+  assert.deepEqual(inZ.stepped(0.5, 0.2, -1, 0), [0.49, 0.2]);
+});
+
+test('sections in z are no text of a loop in s', () => {
+  const text = 'k~1~zpole_0.5~zdelay_2~znotch_0.7_1_0.9';
+  assert.equal(compensatorFrom(text, ['k']), undefined);
+  assert.equal(textOf(compensatorFrom(text, ['k'], kindsOf(true))), text);
+  assert.equal(compensatorFrom('k~1~pole_-1', ['k'], kindsOf(true)), undefined);
+  for (const bad of ['zdelay_0', 'zdelay_1.5', 'zdelay_13', 'zpole_11', 'zpoles_0.5_4', 'zlead_1_0'])
+    assert.equal(compensatorFrom(`k~1~${bad}`, ['k'], kindsOf(true)), undefined, bad);
 });
 
 test('it needs as many poles as zeros', () => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { maths } from './maths.mjs';
 
-const { dampingOf, findings, overshootOf, regionOf } = await maths('requirements');
+const { dampingOf, findings, overshootOf, polesOfZ, regionInZ, regionOf } = await maths('requirements');
 const { askedFrom, foundWords, textOfAsked } = await import(
   new URL('../../src/rlswaim/explorers/js/page/requirement_text.js', import.meta.url).href
 );
@@ -62,6 +62,54 @@ test('the region is that of the hardest bounds', () => {
   assert.equal(sigma, Math.log(50) / 4);
   assert.equal(zeta, dampingOf(20));
   assert.deepEqual(regionOf({}), { sigma: 0, zeta: 0 });
+});
+
+test('poles of z are judged as those of s, and by their size', () => {
+  const inS = [
+    { re: -1, im: 2, name: 'pair' },
+    { re: -1, im: -2, name: 'pair' },
+    { re: -3, im: 0, name: 'real' },
+  ];
+  const T = 0.2;
+  const inZ = inS.map(({ re, im, name }) => {
+    const size = Math.exp(re * T);
+    return { re: size * Math.cos(im * T), im: size * Math.sin(im * T), name };
+  });
+  const loop = { poles: polesOfZ(inZ, T), margins: null, isStable: true };
+  for (const kind of ['zeta', 'settling', 'overshoot']) {
+    const [ours, wanted] = [one(kind, 0.4, loop), one(kind, 0.4, { ...loop, poles: inS })];
+    assert.ok(Math.abs(ours.found - wanted.found) < 1e-12 * Math.abs(wanted.found), kind);
+  }
+  const size = Math.exp(-T);
+  assert.deepEqual(
+    [one('radius', size + 1e-9, loop).holds, one('radius', size - 1e-9, loop).holds],
+    [true, false],
+  );
+});
+
+test('roots of z that s has not: at the origin, on the negative axis', () => {
+  const loop = (/** @type {number} */ re) => ({
+    poles: polesOfZ([{ re, im: 0, name: '' }], 1),
+    margins: null,
+    isStable: true,
+  });
+  assert.equal(one('zeta', 0.999, loop(0)).holds, true);
+  assert.equal(one('settling', 0.001, loop(0)).found, 0);
+  const turning = -Math.log(0.5) / Math.hypot(Math.log(0.5), Math.PI);
+  assert.ok(Math.abs(one('zeta', 0.1, loop(-0.5)).found - turning) < 1e-15);
+  assert.equal(one('zeta', 0.001, loop(-1.5)).holds, false);
+});
+
+test('the region in z is within a circle', () => {
+  assert.deepEqual(regionInZ({}, 0.1), { radius: 1, zeta: 0 });
+  assert.equal(regionInZ({ radius: 0.9, settling: 2 }, 0.1).radius, Math.exp((-Math.log(50) / 2) * 0.1));
+  assert.equal(regionInZ({ radius: 0.5, settling: 2, zeta: 0.3 }, 0.1).radius, 0.5);
+});
+
+test('what is asked in z alone or in s alone', () => {
+  assert.equal(askedFrom('radius_0.9'), undefined);
+  assert.deepEqual(askedFrom('radius_0.9~zeta_0.1', true), { radius: 0.9, zeta: 0.1 });
+  assert.equal(askedFrom('sigma_1', true), undefined);
 });
 
 test('the text gives it back, and nonsense is none', () => {

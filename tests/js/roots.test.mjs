@@ -34,6 +34,25 @@ test('each root satisfies its polynomial to rounding, at orders up to 110', () =
   }
 });
 
+test('points near the origin go to roots that are not', () => {
+  for (const [c, wanted] of [
+    [[0.5, 1], [-0.5]],
+    [
+      [6, 5, 1],
+      [-3, -2],
+    ],
+  ]) {
+    const x = wanted.map((_, i) => 1e-16 * (i + 1));
+    const y = wanted.map(() => 0);
+    aberth(c, wanted.length, x, y);
+    const found = x.toSorted((a, b) => a - b);
+    assert.ok(
+      found.every((v, i) => Math.abs(v - wanted[i]) < 1e-12),
+      String(found),
+    );
+  }
+});
+
 test('roots of very different sizes, zeros at the origin exactly so', () => {
   const wanted = [0, 0, -1e-12, -1e-3, -1, -1e6, -1e12];
   const { x, y } = roots(expanded({ x: wanted, y: wanted.map(() => 0) }));

@@ -19,10 +19,15 @@ from rlswaim.vehicle.equations import PerturbationEquations
 class Trial(NamedTuple):
     """What closure 1 does to both bending modes for one pair of Table 3, for the better sign of k K_z.
 
-    ``factors`` are the coupled frequencies at the largest gain over those without the jet.  ``outcome``:
-    "rises throughout" if at no gain up to there either frequency is below its own and both roots stay
-    complex; "higher at the end" if that holds at the largest gain only; else "no".  ``unstable`` counts
-    the roots right of the axis at the largest gain; ``steadies`` tells whether some gain leaves none there.
+    A mode is followed as a pair of complex roots from its place without the jet.  Where the two roots meet
+    on the real axis it ends: real roots have no frequency, and a pair that real roots form at a larger gain
+    is none of the two modes.  So it never counts which of two real roots is which.
+
+    ``factors`` are the coupled frequencies at the largest gain over those without the jet, nan for a mode
+    that has ended.  ``outcome``: "rises throughout" if at no gain up to there either frequency is below its
+    own and neither mode ends; "higher at the end" if both are there at the largest gain, and higher; else
+    "no".  ``unstable`` counts the roots right of the axis at the largest gain; ``steadies`` tells whether
+    some gain leaves none there.
     """
 
     case: int
@@ -35,6 +40,8 @@ class Trial(NamedTuple):
     steadies: bool
 
 
+REAL = 1e-9
+"""A root whose imaginary part is below this share of its size is real."""
 OUTCOMES = ("no", "higher at the end", "rises throughout")
 
 
@@ -80,7 +87,7 @@ def deciding_gains(opened: control.TransferFunction, sizes: Sequence[float], lar
     """
     here = root_locus(opened, [0.0])
     found = [
-        meeting.gain for meeting in here.break_aways if abs(meeting.point.imag) <= 1e-9 * abs(meeting.point)
+        meeting.gain for meeting in here.break_aways if abs(meeting.point.imag) <= REAL * abs(meeting.point)
     ]
     found += [crossing.gain for crossing in here.crossings]
     for size in sizes:
@@ -118,14 +125,15 @@ def trial(eqs: PerturbationEquations, case: int, loop: JetLoop, largest: float) 
         edges = np.unique(np.concatenate([[0.0], (sign * decide)[sign * decide > 0], [size]]))
         followed = np.concatenate([[0.0], (edges[:-1] + edges[1:]) / 2, [size]])
         found.append(_trial(case, loop, sign, elastic, root_locus(opened, sign * followed)))
-    return max(found, key=lambda s: (OUTCOMES.index(s.outcome), min(s.factors)))
+    return max(found, key=lambda s: (OUTCOMES.index(s.outcome), min(np.nan_to_num(s.factors))))
 
 
 def _trial(case: int, loop: JetLoop, sign: int, elastic: Sequence[complex], locus: RootLocus) -> Trial:
     """Return the trial for one sign of the gain, from one root set between any two deciding gains."""
     way = locus.roots[:, [int(np.argmin(np.abs(locus.roots[0] - pole))) for pole in elastic]]
-    factors = np.abs(way) / np.abs(way[0])
-    good = ((factors[1:] >= 1) & (way[1:].imag > 0)).all(axis=1)
+    there = np.logical_and.accumulate(np.abs(way.imag) > REAL * np.abs(way), axis=0)
+    factors = np.where(there, np.abs(way) / np.abs(way[0]), np.nan)
+    good = np.all(factors[1:] >= 1, axis=1)
     right = (locus.roots[1:].real > 1e-7).sum(axis=1)  # the root that rests at the origin is none
     return Trial(
         case,

@@ -10,6 +10,7 @@ from rlswaim.explorers.control_systems import (
     two_sensor_explorer,
 )
 from rlswaim.explorers.coupled_vehicle import coupled_vehicle_explorer
+from rlswaim.explorers.frozen_poles import frozen_poles_explorer
 from rlswaim.explorers.greensite import greensite_explorer
 from rlswaim.explorers.moving_loop import MovingLoop, moving_loop
 from rlswaim.explorers.own_loop import OwnLoop, explore
@@ -33,6 +34,7 @@ __all__ = [
     "designs",
     "dual_actuation_explorer",
     "explore",
+    "frozen_poles_explorer",
     "greensite_explorer",
     "moving_loop",
     "multiaffine_forms",

@@ -8,6 +8,7 @@ from typing import Any
 
 from rlswaim.explorers.burn_tables import burn_plant
 from rlswaim.explorers.control_systems import loop_payload, vehicle_scales
+from rlswaim.explorers.criteria_card import STATIONS, sent_criteria
 from rlswaim.explorers.parameter import Parameter
 from rlswaim.explorers.system_views import VIEWS, View
 from rlswaim.explorers.vehicle_parameters import own_values
@@ -23,7 +24,7 @@ MIDDLE = 58
 """The second of the burn (s) that chapter II's bench starts at: one that the flights are sent for."""
 
 
-def _system(view: View, eqs: PerturbationEquations) -> dict[str, Any]:
+def _system(view: View, eqs: PerturbationEquations, stations: tuple[float, ...]) -> dict[str, Any]:
     """Return what one control system adds: no polynomial, which the browser finds from the matrices."""
     sent = loop_payload(view, eqs)
     # Printed roots belong to the printed numbers, which are not quite those of the data.
@@ -38,11 +39,15 @@ def _system(view: View, eqs: PerturbationEquations) -> dict[str, Any]:
             for factor, (kind, mode) in entering.items()
         },
         "matrices": matrices(view.system, swaim_booster().flight.U),
+        "criteria": sent_criteria(view.system, eqs, stations),
     }
 
 
 def _bench(
-    eqs: PerturbationEquations, vehicle: Mapping[str, Any], own: Sequence[Parameter] = ()
+    eqs: PerturbationEquations,
+    vehicle: Mapping[str, Any],
+    own: Sequence[Parameter] = (),
+    stations: tuple[float, ...] = (),
 ) -> dict[str, Any]:
     """Return the bench around the vehicle of ``eqs``, which ``vehicle`` changes.
 
@@ -53,12 +58,14 @@ def _bench(
         Coefficients as sums of products, parameters, and where they start.
     own : sequence of Parameter
         The vehicle's sliders that the bench itself has; the others are those of the view above it.
+    stations : tuple of float
+        Where its criteria ask for the bending moment (ft).
     """
     known = {p.name: p.told for view in VIEWS.values() for p in view.parameters(eqs)}
     folded = [p.name for p in own if p.folded]
     return {
         "start": START,
-        "systems": {view.name: _system(view, eqs) for view in VIEWS.values()},
+        "systems": {view.name: _system(view, eqs, stations) for view in VIEWS.values()},
         "parameters": known | {p.name: p.told for p in own},
         "own": [p.name for p in own],
         "vehicle": vehicle_scales(eqs),
@@ -81,7 +88,7 @@ def own_bench(booster: Booster) -> dict[str, Any]:
         "own": data_values(eqs),
         "weights": {"left out": 0.0, "kept": booster.flight.weight_across},
     }
-    return _bench(eqs, vehicle, parameters)
+    return _bench(eqs, vehicle, parameters, STATIONS)
 
 
 def coupled_bench(booster: Booster) -> dict[str, Any]:

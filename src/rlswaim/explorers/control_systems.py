@@ -5,6 +5,7 @@ from typing import Any
 
 import control
 
+from rlswaim.explorers.criteria_card import judged, sent_criteria
 from rlswaim.explorers.parameter import FEET, Value
 from rlswaim.explorers.presets import presets
 from rlswaim.explorers.system_views import (
@@ -63,6 +64,7 @@ def payload(view: View, eqs: PerturbationEquations, polynomial: MultiAffine) -> 
         "vehicle": _vehicle(eqs),
         "plant": plant(view.system, eqs),
         "dispersed": dispersed_data(),
+        "criteria": sent_criteria(view.system, eqs),
     }
 
 
@@ -147,13 +149,14 @@ def explorer(view: View, eqs: PerturbationEquations, **values: Value) -> Explore
     Explorer
     """
     checks.instance("eqs", eqs, PerturbationEquations, f"{view.name} explorer")
-    sent = payload(view, eqs, view.system.polynomial(eqs))
+    sent, loop = payload(view, eqs, view.system.polynomial(eqs)), partial(_closed_loop, view, eqs)
     return Explorer(
         view.name,
         (*view.parameters(eqs), *data_parameters()),
         sent,
-        partial(_closed_loop, view, eqs),
+        loop,
         {**_start(sent)["values"], **data_values(eqs), **values},
+        partial(judged, view.system, eqs, loop),
     )
 
 

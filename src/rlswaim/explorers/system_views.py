@@ -13,6 +13,7 @@ from rlswaim.explorers.presets import corrected_designs, designs
 from rlswaim.loops import control_systems
 from rlswaim.loops.control_systems import ControlSystem, entering_value
 from rlswaim.source import checks
+from rlswaim.source.quantity import unit_of
 from rlswaim.vehicle.equations import PerturbationEquations
 
 FEEDBACKS = ("total", "rigid body")
@@ -70,7 +71,12 @@ class View:
         numbers = [_number(name, *scale, known) for name, scale in self.gains.items()]
         stations = [
             Parameter(
-                at, at.replace("_", " ").capitalize(), "ft", f"station of the {at} (ft)", FEET, whole_station
+                at,
+                at.replace("_", " ").capitalize(),
+                "ft",
+                f"station of the {at.replace('_', ' ')} (ft)",
+                FEET,
+                whole_station,
             )
             for at in self.system.stations
         ]
@@ -79,17 +85,19 @@ class View:
 
 
 MEANINGS = {
-    "K_A": ("K_A", "", "amplifier gain (rad/rad)"),
-    "K_C": ("K_C", "1/s", "actuator gain (1/s)"),
-    "K_R": ("K_R", "s", "rate gyro gain (s)"),
-    "K_z": ("K_z", "rad s/ft", "displacement sensor gain (rad s/ft)"),
-    "K_za": ("K_{z_a}", "rad s/ft", "gain of sensor a (rad s/ft)"),
-    "K_zb": ("K_{z_b}", "rad s/ft", "gain of sensor b (rad s/ft)"),
-    "kK_z": ("k K_z", "lb s/ft", "jet constant times sensor gain (lb s/ft)"),
-    "K_r": ("K_r", "1/s", "gain of the jet's valve (1/s)"),
-    "b": ("b", "1/s", "attitude-to-rate ratio of the sensor (1/s)"),
+    "K_A": ("K_A", "amplifier gain"),
+    "K_C": ("K_C", "actuator gain"),
+    "K_R": ("K_R", "rate gyro gain"),
+    "K_z": ("K_z", "displacement sensor gain"),
+    "K_za": ("K_{z_a}", "gain of sensor a"),
+    "K_zb": ("K_{z_b}", "gain of sensor b"),
+    "kK_z": ("k K_z", "jet constant times sensor gain"),
+    "K_r": ("K_r", "gain of the jet's valve"),
+    "b": ("b", "attitude-to-rate ratio of the sensor"),
 }
-"""Symbol (TeX), unit and meaning of each number parameter."""
+"""Symbol (TeX) and meaning of each number parameter."""
+UNIT_OF_RATIO = "1/s"
+"""Of b, which the report's list of symbols has not."""
 
 
 FINE_FROM = {"K_A": 0.1, "K_z": 0.01, "K_za": 0.01, "K_zb": 0.01, "kK_z": 1e4}
@@ -115,9 +123,11 @@ def _number(name: str, least: float, most: float, signed: bool, known: list[dict
     size = _sizes(name, least, most)
     places: tuple[ArrayLike, ...] = (-size, 0.0, size) if signed else (size,)
     rounded = [float(f"{place:.3g}") for place in np.hstack(places)]
-    symbol, unit, meaning = MEANINGS[name]
+    symbol, meaning = MEANINGS[name]
+    unit = UNIT_OF_RATIO if name == "b" else unit_of(symbol)
+    shown = "" if unit == "rad/rad" else unit
     grid = np.union1d(rounded, [float(f"{design[name]:.4g}") for design in known])
-    return Parameter(name, rf"\({symbol}\)", unit, f"{name}, {meaning}", tuple(grid.tolist()))
+    return Parameter(name, rf"\({symbol}\)", shown, f"{name}, {meaning} ({unit})", tuple(grid.tolist()))
 
 
 def _feedback(name: str, value: object, where: str) -> str:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rlswaim.explorers.live_view import LiveView
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.still import Drawing, draw_locus
+from rlswaim.practice.criteria import Criterion
 
 
 class Explorer(LiveView):
@@ -36,8 +37,9 @@ class Explorer(LiveView):
         payload: Mapping[str, Any],
         closed_loop: Callable[..., control.StateSpace],
         values: Mapping[str, Value],
+        judged: Callable[[Mapping[str, Value]], tuple[Criterion, ...]] | None = None,
     ) -> None:
-        self.system, self._closed_loop = system, closed_loop
+        self.system, self._closed_loop, self._judged = system, closed_loop, judged
         super().__init__(parameters, payload, values)
 
     def closed_loop(self) -> control.StateSpace:
@@ -47,6 +49,18 @@ class Explorer(LiveView):
     def poles(self) -> NDArray:
         """Return the closed-loop poles under the sliders (1/s)."""
         return self.closed_loop().poles()
+
+    def criteria(self) -> tuple[Criterion, ...]:
+        """Return the criteria of the closed loop under the sliders, those of the view's card.
+
+        Raises
+        ------
+        TypeError
+            If the view's vehicle has no criteria.
+        """
+        if self._judged is None:
+            raise TypeError(f"criteria in {self.system} explorer: got another vehicle, wanted the report's")
+        return self._judged(self.values())
 
     def draw(self, ax: Axes) -> Axes:
         """Draw the root locus in the gain that is closed last."""

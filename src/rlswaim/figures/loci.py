@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from rlswaim.figures.pole_grids import draw_damping_grid, draw_z_grid
-from rlswaim.figures.style import COLORS
+from rlswaim.figures.style import COLORS, labelled
 from rlswaim.loops.named_branches import NamedLocus
 from rlswaim.rootlocus.locus import RootLocus
 
@@ -245,8 +245,8 @@ def draw_over(ax: Axes, x: ArrayLike, curves: Mapping[str, ArrayLike], xlabel: s
     others = ("printed", "corrected", "jet", "neutral")
     for i, (name, y) in enumerate(curves.items()):
         color = COLORS.get(name, COLORS[others[i % 4]])
-        ax.plot(x, y, ("-", "--", "-.", ":")[i % 4], color=color, label=PART_NAMES.get(name, name))
+        ax.plot(x, y, ("-", "--", "-.", ":")[i % 4], color=color, label=labelled(PART_NAMES.get(name, name)))
     ax.axhline(0, color="0.4", lw=0.6)
-    ax.set(xlabel=xlabel, ylabel=ylabel)
+    ax.set(xlabel=labelled(xlabel), ylabel=labelled(ylabel))
     ax.legend()
     return ax

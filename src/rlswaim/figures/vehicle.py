@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
-from rlswaim.figures.style import COLORS
+from rlswaim.figures.style import COLORS, labelled
 from rlswaim.vehicle.booster import Booster
 from rlswaim.vehicle.stations import LENGTH
 
@@ -120,7 +120,7 @@ def draw_history(
     """
     looks = cycle((("rigid", "-"), ("corrected", "--"), ("mode 2", "-."), ("actuator", ":")))
     for (name, values), (color, style) in zip(curves.items(), looks, strict=False):
-        ax.plot(times, values, style, color=COLORS[color], label=name)
+        ax.plot(times, values, style, color=COLORS[color], label=labelled(name))
     if printed:
         ax.plot(
             *printed,
@@ -130,6 +130,6 @@ def draw_history(
             linestyle="none",
         )
     ax.set_xlabel("time (s)")
-    ax.set_ylabel(quantity)
+    ax.set_ylabel(labelled(quantity))
     ax.legend(fontsize="small")
     return ax

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rlswaim.source import checks
-from rlswaim.source.quantity import quantity
+from rlswaim.source.quantity import quantity, unit_of
 from rlswaim.vehicle.equations import PerturbationEquations
 
 WANTED = complex(-1.0, np.sqrt(3.0))
@@ -34,8 +34,8 @@ class RigidBody:
 class RigidDesign:
     """Gains that place the short period, and the two real roots that come with them [Eqs. 72-75]."""
 
-    K_A: float = quantity("K_A", "rad/rad", "amplifier gain", "Section IV")
-    K_R: float = quantity("K_R", "s", "rate gyro gain", "Section IV")
+    K_A: float = quantity("K_A", unit_of("K_A"), "amplifier gain", "Section IV")
+    K_R: float = quantity("K_R", unit_of("K_R"), "rate gyro gain", "Section IV")
     a: float = quantity("a", "1/s", "larger of the two real roots, negated", "Eq. 62")
     b: float = quantity("b", "1/s", "smaller of the two real roots, negated", "Eq. 62")
 

@@ -24,7 +24,7 @@ from rlswaim.practice.gusts import shear_with_gust
 from rlswaim.practice.hardware import closed_loop, plant
 from rlswaim.practice.instruments import Instrument, gyros
 from rlswaim.practice.optimal import Wishes, lqg
-from rlswaim.source.tables import constants
+from rlswaim.source.tables import constants, read_table
 from rlswaim.vehicle.booster import Booster, FlightCondition
 from rlswaim.vehicle.equations import PerturbationEquations, perturbation_equations
 from rlswaim.vehicle.modes import BendingMode
@@ -34,8 +34,6 @@ FIRST_STAGE = 255.0
 """The foremost station that loses propellant (ft)."""
 READS = (*gyros(60.0), Instrument("accelerometer", NOSE))
 WISHES = Wishes(BASE, recovery=1.0)
-SWITCHED = {0.0: 20.0, 29.0: 57.5, 91.0: 100.0}
-"""When a design of the schedule begins, and the time that it is made for (s)."""
 EACH = 2.5
 """Between one design and the next if it is made anew all the time (s)."""
 STEP, HOLD = 0.02, 0.5
@@ -130,26 +128,42 @@ def equations_at(t: float, *, U: float, q_D: float) -> PerturbationEquations:
 
 def fixed(t: float) -> control.StateSpace:
     """Return the design for 57.5 s, whatever the time ``t``."""
-    return _made_at(constants("vehicle")["t"])
+    return made_for(constants("vehicle")["t"])
 
 
 @cache
-def _made_at(t: float) -> control.StateSpace:
+def made_for(t: float) -> control.StateSpace:
+    """Return the design for one time ``t`` of the burn (s)."""
     return lqg(booster_at(t), READS, WISHES, NOSE)
 
 
+@cache
+def switched() -> dict[float, float]:
+    """Return when a design of the schedule begins, and the time that it is made for (s).
+
+    They come from `rlswaim.practice.schedule_search` [data/schedule.csv].
+    """
+    return {float(row["begins"]): float(row["made_for"]) for row in read_table("schedule")}
+
+
 def scheduled(t: float) -> control.StateSpace:
-    """Return the design of `SWITCHED` that flies at a time ``t`` (s).
+    """Return the design of `switched` that flies at a time ``t`` (s).
 
     Its states are estimates of the vehicle's, so they are kept when one design follows another.
     """
-    begins = np.array([*SWITCHED])
-    return _made_at(SWITCHED[float(begins[begins <= t][-1])])
+    begins = np.array([*switched()])
+    return made_for(switched()[float(begins[begins <= t][-1])])
 
 
 def redesigned(t: float) -> control.StateSpace:
     """Return the design made for a time ``t`` (s), to the nearest `EACH`."""
-    return _made_at(float(np.clip(EACH * np.round(t / EACH), 2 * EACH, 107.5)))
+    return made_for(float(np.clip(EACH * np.round(t / EACH), 2 * EACH, 107.5)))
+
+
+@cache
+def plant_at(t: float) -> control.StateSpace:
+    """Return the vehicle of a time ``t`` (s), its weight kept, with hardware and the instruments `READS`."""
+    return plant(with_gravity(booster_at(t)), READS, jet=NOSE)
 
 
 def loop_at(t: float, design: Callable[[float], control.StateSpace]) -> control.StateSpace:
@@ -162,7 +176,7 @@ def loop_at(t: float, design: Callable[[float], control.StateSpace]) -> control.
     design : callable
         `fixed`, `scheduled` or `redesigned`.
     """
-    return closed_loop(plant(with_gravity(booster_at(t)), READS, jet=NOSE), design(t))
+    return closed_loop(plant_at(t), design(t))
 
 
 def frozen_poles(times: Sequence[float], design: Callable[[float], control.StateSpace]) -> NDArray:
@@ -199,14 +213,32 @@ def held(design: Callable[[float], control.StateSpace], times: Sequence[float]) 
 
 
 def wind(t: NDArray) -> NDArray:
-    """Return the wind of ``data/winds.csv`` (ft/s) over times ``t`` (s) of the burn."""
+    """Return the wind of ``data/winds.csv`` (ft/s) at times ``t`` (s) of the burn, the late gust with it."""
     given = constants("winds")
     parts = {name: given[name] for name in ("wind", "build_up", "gust", "edge", "plateau")}
-    return shear_with_gust(t - given["start"], **parts)
+    alone = parts | {"wind": 0.0, "build_up": given["edge"]}
+    return shear_with_gust(t - given["start"], **parts) + shear_with_gust(t - given["late"], **alone)
+
+
+def tilted(loop: control.StateSpace, theta: float) -> NDArray:
+    """Return the states of a loop at rest but for an attitude, the incidence being as large.
+
+    Parameters
+    ----------
+    loop : control.StateSpace
+    theta : float
+        In rad.
+    """
+    rows = [list(loop.output_labels).index(name) for name in ("alpha", "theta")]
+    return np.asarray(np.linalg.pinv(loop.C[rows]) @ [theta, theta])
 
 
 def flight(
-    design: Callable[[float], control.StateSpace], start: float, end: float, frozen: float | None = None
+    design: Callable[[float], control.StateSpace],
+    start: float,
+    end: float,
+    frozen: float | None = None,
+    theta: float = 0.0,
 ) -> dict[str, NDArray]:
     """Return how the vehicle moves in the wind over a part of the burn, its data changing on the way.
 
@@ -218,6 +250,8 @@ def flight(
         In s.
     frozen : float, optional
         Keep the loop of this time all the way (s); the wind's incidence goes with it.
+    theta : float
+        Attitude at the start (rad), the path being undisturbed: the incidence is as large.
 
     Returns
     -------
@@ -225,8 +259,9 @@ def flight(
         t (s), alpha_g (rad), and the outputs of the loop.
     """
     times = np.arange(start, end, STEP)
-    hold, x, rows = round(HOLD / STEP), np.zeros(0), []
-    speeds = np.interp(times if frozen is None else frozen, flown_path().times, flown_path().U)
+    hold, rows = round(HOLD / STEP), []
+    x = tilted(loop_at(start, design), theta)
+    speeds = np.maximum(np.interp(times if frozen is None else frozen, flown_path().times, flown_path().U), 1)
     gust = wind(times) / speeds
     middle = (gust + np.append(gust[1:], gust[-1])) / 2
     for first in range(0, times.size, hold):
@@ -234,7 +269,6 @@ def flight(
             loop = loop_at(frozen if frozen is not None else float(times[first]) + HOLD / 2, design)
             n, at = loop.nstates, loop.input_labels.index("alpha_g")
             whole = expm(STEP * np.block([[loop.A, loop.B[:, [at]]], [np.zeros((1, n + 1))]]))
-        x = x if x.size else np.zeros(n)
         for now, drive in zip(gust[first : first + hold], middle[first : first + hold], strict=True):
             rows.append(loop.C @ x + loop.D[:, at] * now)
             x = whole[:n, :n] @ x + whole[:n, n] * drive

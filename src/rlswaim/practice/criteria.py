@@ -4,14 +4,14 @@ What is wanted stands in ``data/criteria.csv``, with its source; `Wanted` holds 
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import control
 import numpy as np
 import pandas as pd
 
 from rlswaim.practice.gusts import one_minus_cosine, response, worst_gust
-from rlswaim.practice.margins import by_mode, margins
+from rlswaim.practice.margins import Margins, by_mode, margins
 from rlswaim.source import checks
 from rlswaim.source.tables import constants
 
@@ -23,6 +23,17 @@ GUST_PEAKS = {  # criterion: output of the loop in a gust, and what one unit of 
     "jet_lb": ("delta_r", 1.0),
     "drift_ft_s": ("drift", 1.0),
 }
+UNITS = {
+    "alpha_deg": "deg",
+    "delta_deg": "deg",
+    "delta_rate_deg_s": "deg/s",
+    "jet_lb": "lb",
+    "drift_ft_s": "ft/s",
+}
+GUST_STEP = 0.02
+"""Step of time of the gusts (s)."""
+HORIZON, SAMPLES = 60.0, 6001
+"""The time (s) over which theta must stay in its band, and how many times are looked at."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +89,7 @@ STABLE = 1e-7
 
 
 def settling_time(
-    closed_loop: control.StateSpace, band: float, horizon: float = 60.0, allowed: float = STABLE
+    closed_loop: control.StateSpace, band: float, horizon: float = HORIZON, allowed: float = STABLE
 ) -> float:
     """Return when theta comes to stay within a band about a step of its command (s).
 
@@ -100,7 +111,7 @@ def settling_time(
     """
     if closed_loop.poles().real.max() > allowed:
         return float("inf")
-    t = np.linspace(0, horizon, 6001)
+    t = np.linspace(0, horizon, SAMPLES)
     step = closed_loop[closed_loop.output_labels.index("theta"), closed_loop.input_labels.index("theta_c")]
     theta = np.asarray(control.forced_response(step, t, np.ones_like(t)).y).ravel()
     outside = np.flatnonzero(np.abs(theta - 1) > band)
@@ -171,7 +182,8 @@ def evaluate(
     -------
     tuple of Criterion
         Peaks are those of the worst 1-cosine gust for each; inf for a loop that is not stable.  Moments
-        have no bound of their own: what is wanted of them is nan.
+        have no bound of their own: what is wanted of them is nan.  A loop that is not stable has no
+        margins: they are nan, and not met.
     """
     want = want or wanted()
     found = [
@@ -180,22 +192,26 @@ def evaluate(
         ),
         *_gust_criteria(closed_loop, U, want, allowed),
     ]
-    return (*found, *(_margin_criteria(open_loop, modes or {}, want) if open_loop is not None else ()))
+    if open_loop is None:
+        return tuple(found)
+    if closed_loop.poles().real.max() <= allowed:
+        return (*found, *_margin_criteria(margins(open_loop), modes or {}, want))
+    none = Margins((), (), np.nan, np.nan, np.nan)
+    return (*found, *(replace(c, value=np.nan) for c in _margin_criteria(none, modes or {}, want)))
 
 
 def _gust_criteria(
     closed_loop: control.StateSpace, U: float, want: Wanted, allowed: float
 ) -> list[Criterion]:
     """Return the peaks in the worst gust of each kind."""
-    stable = closed_loop.poles().real.max() < allowed
+    stable = closed_loop.poles().real.max() <= allowed
     system = with_motion(closed_loop, U)
 
     def peak(output: str) -> float:
-        return worst_gust(system, output, want.gust_ft_s / U, step=0.02).peak if stable else float("inf")
+        return worst_gust(system, output, want.gust_ft_s / U, step=GUST_STEP).peak if stable else float("inf")
 
-    units = {"alpha_deg": "deg", "delta_deg": "deg", "delta_rate_deg_s": "deg/s", "jet_lb": "lb"}
     found = [
-        Criterion(name, peak(output) * unit, getattr(want, name), units.get(name, "ft/s"), True)
+        Criterion(name, peak(output) * unit, getattr(want, name), UNITS[name], True)
         for name, (output, unit) in GUST_PEAKS.items()
         if output in system.output_labels
     ]
@@ -203,14 +219,11 @@ def _gust_criteria(
     return found + [Criterion(name, peak(name), float("nan"), "lb ft", True) for name in moments]
 
 
-def _margin_criteria(
-    open_loop: control.StateSpace, modes: Mapping[str, float], want: Wanted
-) -> list[Criterion]:
+def _margin_criteria(all_margins: Margins, modes: Mapping[str, float], want: Wanted) -> list[Criterion]:
     """Return the margins by mode; gain margins count as sizes, the aero margin's fall among them.
 
     A mode at which |L| stays below 1 is stabilized by gain, and has a gain margin of its own.
     """
-    all_margins = margins(open_loop)
     found = [Criterion("disk", all_margins.disk, want.disk, "1", False)]
     for mode, row in by_mode(all_margins, modes).items():
         kind = "bending_" if mode in modes else ""

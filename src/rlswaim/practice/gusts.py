@@ -152,6 +152,12 @@ def response(system: control.StateSpace, t: NDArray, wind: NDArray) -> dict[str,
     return dict(zip(system.output_labels, values, strict=True))
 
 
+DURATIONS = (0.2, 60.0)
+"""The shortest and the longest gust that is tried (s)."""
+COUNT, FINE = 40, 21
+"""How many lengths are tried, and how many between the neighbours of the worst of them."""
+
+
 class WorstGust(NamedTuple):
     """The gust that moves one output most: its duration (s), and the peak that it makes."""
 
@@ -163,8 +169,8 @@ def worst_gust(
     system: control.StateSpace,
     output: str,
     amplitude: float,
-    durations: tuple[float, float] = (0.2, 60.0),
-    count: int = 40,
+    durations: tuple[float, float] = DURATIONS,
+    count: int = COUNT,
     step: float = 0.005,
 ) -> WorstGust:
     """Return the 1-cosine gust of the worst length for one output.
@@ -201,7 +207,7 @@ def worst_gust(
     lengths = np.geomspace(*durations, count)
     peaks = [peak(length) for length in lengths]
     at = int(np.argmax(peaks))
-    fine = np.geomspace(lengths[max(at - 1, 0)], lengths[min(at + 1, count - 1)], 21)
+    fine = np.geomspace(lengths[max(at - 1, 0)], lengths[min(at + 1, count - 1)], FINE)
     return max((WorstGust(float(d), peak(d)) for d in [lengths[at], *fine]), key=lambda gust: gust.peak)
 
 

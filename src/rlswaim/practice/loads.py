@@ -14,8 +14,9 @@ with the thrust, they are zero only if the equations of motion balance the same 
 check, which the vehicle with recomputed totals and orthogonal modes passes, and the printed one does not.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import control
 import numpy as np
@@ -45,9 +46,8 @@ class SectionLoads:
     """Moment at the thrust point: zero in each column if the forces balance (lb ft)."""
 
 
-def _accelerations(booster: Booster, vehicle: control.StateSpace, U: float, l_CG: float) -> NDArray:
-    """Return what each mass feels as acceleration (ft/s^2, down) by state and input: (masses, columns)."""
-    rates = dict(zip(vehicle.output_labels, np.hstack([vehicle.A, vehicle.B]), strict=True))
+def _accelerations(booster: Booster, rates: Mapping[str, NDArray], U: float, l_CG: float) -> NDArray:
+    """Return what each mass feels as acceleration (ft/s^2, down) by what the states' rates are rows of."""
     found = U * (rates["alpha"] - rates["theta"]) + np.outer(booster.stations - l_CG, rates["thetadot"])
     for i, mode in enumerate(booster.modes, start=1):
         found = found - np.outer(mode.deflection(booster.stations), rates[f"q{i}dot"])
@@ -118,7 +118,8 @@ def section_loads(
     cuts = checks.frozen_array("stations", stations, "section_loads")
     vehicle = eqs.state_space(jet)
     columns = (*vehicle.output_labels, *INPUTS)
-    felt = _accelerations(booster, vehicle, eqs.U, eqs.l_CG)
+    rates = dict(zip(vehicle.output_labels, np.hstack([vehicle.A, vehicle.B]), strict=True))
+    felt = _accelerations(booster, rates, eqs.U, eqs.l_CG)
     felt[:, columns.index("theta")] += getattr(eqs, "gravity", 0.0)  # the weight bends nothing
     inertia = -booster.masses[:, None] * felt
     pushed = np.zeros((1, len(columns)))
@@ -132,6 +133,60 @@ def section_loads(
     thrust = _by_mode(booster, columns, [-booster.T * mode.slope(G) for mode in booster.modes])
     thrust[columns.index("delta")] = booster.T
     return SectionLoads(cuts, columns, shear[:-1], moment[:-1], shear[-1] + thrust, moment[-1])
+
+
+class MomentTerm(NamedTuple):
+    """A part of the moment: a weight times data of the vehicle times a derivative of one quantity by time."""
+
+    quantity: str
+    order: int
+    weight: float
+    factors: tuple[str, ...]
+
+
+def moment_terms(booster: Booster, eqs: PerturbationEquations, station: float) -> list[MomentTerm]:
+    """Return the bending moment at a station (lb ft) in the motions, for vehicles with other data.
+
+    Parameters
+    ----------
+    booster : Booster
+        Its masses, shapes, thrust and stations of surfaces, which stay.
+    eqs : PerturbationEquations
+        Their speed and centre of gravity.
+    station : float
+        Of the cut (ft).
+
+    Returns
+    -------
+    list of MomentTerm
+        Factors are q_D, C_<surface>, gravity (the weight across the path, ft/s^2) and lever (how far the
+        jet is ahead of the cut, ft).
+    """
+    modes = range(1, len(booster.modes) + 1)
+    swings = [*((f"q{i}", 0) for i in modes), *((f"q{i}", 1) for i in modes)]
+    states = {"alpha": ("alpha", 0), "theta": ("theta", 0), "thetadot": ("theta", 1)}
+    states |= {name + order * "dot": (name, order) for name, order in swings}
+    moving = ["alpha", "theta", "thetadot", *(f"q{i}dot" for i in modes)]
+    units = dict(zip(moving, np.eye(len(moving)), strict=True))
+    pushed = -booster.masses * np.maximum(station - booster.stations, 0.0)
+    inertia = pushed @ _accelerations(booster, units, eqs.U, eqs.l_CG)
+    found = [
+        MomentTerm(states[name][0], states[name][1] + 1, weight, ())
+        for name, weight in zip(moving, inertia.tolist(), strict=True)
+    ]
+    found += [
+        MomentTerm("theta", 0, float(pushed.sum()), ("gravity",)),
+        MomentTerm("delta_r", 0, 1.0, ("lever",)),
+    ]
+    columns = (*states, "alpha_g")
+    bent = _axial(booster, columns, np.array([station]))[0]
+    found += [MomentTerm(f"q{i}", 0, float(bent[columns.index(f"q{i}")]), ()) for i in modes]
+    for surface, force in zip(booster.surfaces, _air(booster, columns, eqs.U, eqs.l_CG), strict=True):
+        size = max(station - surface.station, 0.0) / (booster.flight.q_D * surface.C_Nalpha)
+        data = ("q_D", f"C_{surface.name}")
+        for name, weight in zip(columns, (size * force).tolist(), strict=True):
+            found.append(MomentTerm(*states.get(name, (name, 0)), weight, data))
+    return [term for term in found if term.weight]
 
 
 def with_moments(

@@ -146,7 +146,11 @@ def _peak(
     return max((float(-found.fun), float(found.x)), (float(sizes[at]), float(omega[at])))
 
 
-def by_mode(found: Margins, modes: Mapping[str, float], near: float = 1.25) -> dict[str, dict[str, float]]:
+NEAR = 1.25
+"""Factor within which the frequency of a crossing is that of a bending mode."""
+
+
+def by_mode(found: Margins, modes: Mapping[str, float], near: float = NEAR) -> dict[str, dict[str, float]]:
     """Return the smallest margins of each mode by name.
 
     Parameters

@@ -66,7 +66,8 @@ def aberth(slopes: Slopes, guess: NDArray, steps: int) -> Roots:
 
 def _repulsion(s: NDArray) -> tuple[NDArray, NDArray]:
     """Return the sum over j of 1/(s_i - s_j), and the least |s_i - s_j|^2, each column of ``s`` by itself."""
-    dx, dy = s.real[:, None] - s.real, s.imag[:, None] - s.imag
+    x, y = s.real.copy(), s.imag.copy()  # without gaps in memory
+    dx, dy = x[:, None] - x, y[:, None] - y
     square = dx * dx
     square += dy * dy
     square[square == 0] = np.inf

@@ -68,6 +68,8 @@ class ClosedLoop:
         self.size = float(np.exp(np.log(sizes).mean())) if sizes.size else 1.0
         self.points, self.counts = points / self.size, np.abs(weights)
         self.poles = int((weights < 0).sum())
+        parts = list(zip(self.points.tolist(), self.counts.tolist(), strict=True))
+        self.parts = parts[: self.poles], parts[self.poles :]
         every, self.order = np.repeat(self.points, self.counts), loop.moving_poles.size
         self.factors = every[: self.order], every[self.order :]
         self.excess = self.order - self.factors[1].size
@@ -77,8 +79,8 @@ class ClosedLoop:
 
     def values(self, s: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
         """Return D, D', N and N' at scaled points ``s``, any shape."""
-        found, factors = [], list(zip(self.points.tolist(), self.counts.tolist(), strict=True))
-        for part, lead in (factors[: self.poles], 1.0), (factors[self.poles :], self.gain):
+        found = []
+        for part, lead in zip(self.parts, (1.0, self.gain), strict=True):
             value, slope = np.full(s.shape, lead, dtype=complex), np.zeros(s.shape, dtype=complex)
             for x, count in part:
                 distance = s - x
@@ -144,17 +146,21 @@ class ClosedLoop:
         the eigenvalues of diag(x) - 1 v^T.  The nodes are the poles; those of a repeated pole
         stand on a circle around it.
         """
-        nodes = self._nodes()
-        apart = nodes[:, None] - nodes
+        real, upper = self._nodes()
+        half = np.concatenate([real, upper])
+        apart = half[:, None] - np.concatenate([half, upper.conj()])
         np.fill_diagonal(apart, 1.0)
-        D, _, N, _ = self.values(nodes)
-        fixed, moved = (part / apart.prod(axis=1) for part in (D, N))
+        D, N = ((half[:, None] - part).prod(axis=1) for part in self.factors)
+        fixed, moved = (part / apart.prod(axis=1) for part in (D, self.gain * N))
         leading = 1 + gains * (self.gain if self.excess == 0 else 0.0)
-        rows = (fixed + gains[:, None] * moved) / leading[:, None]
-        real = _real_form(nodes)
-        diagonal = (real.conj().T @ (nodes[:, None] * real)).real
-        ones = real.conj().sum(axis=0).real
-        matrices = diagonal - ones[:, None] * (rows @ real).real[:, None, :]
+        v = (fixed + gains[:, None] * moved) / leading[:, None]
+        # In the place of a pair x, x* stand Re and Im of a vector, in that of v, v* 2 Re v and -2 Im v.
+        v[:, real.size :] *= 2
+        diagonal = np.diag(np.concatenate([half, upper]).real)
+        turning = np.arange(real.size, half.size), np.arange(half.size, self.order)
+        diagonal[turning], diagonal[turning[::-1]] = -upper.imag, upper.imag
+        matrices = np.tile(diagonal, (gains.size, 1, 1))
+        matrices[:, : half.size] -= np.concatenate([v.real, -v.imag[:, real.size :]], axis=1)[:, None]
         return np.linalg.eigvals(matrices).astype(complex).T
 
     def sets(self, gains: NDArray, guess: NDArray | None = None) -> RootSets:
@@ -188,10 +194,12 @@ class ClosedLoop:
     def _leaving(self) -> NDArray:
         """The tangents (n,) at the poles; 0 where poles meet."""
         poles = self.loop.moving_poles / self.size
-        _, slope, N, _ = self.values(poles)
-        meet = (np.abs(poles[:, None] - poles) <= MEET * np.abs(poles)).sum(axis=1) > 1
+        apart = poles[:, None] - poles
+        meet = (np.abs(apart) <= MEET * np.abs(poles)).sum(axis=1) > 1
+        np.fill_diagonal(apart, 1.0)
+        N = self.gain * (poles[:, None] - self.factors[1]).prod(axis=1)
         with np.errstate(all="ignore"):
-            tangents = -self.size * N / slope
+            tangents = -self.size * N / apart.prod(axis=1)
         return np.where(meet | ~np.isfinite(tangents), 0, tangents)
 
     def _corrected(self, gains: NDArray, guess: NDArray) -> tuple[NDArray, NDArray]:
@@ -224,21 +232,20 @@ class ClosedLoop:
         total = (poles + kg * zeros) / (1 + kg) if self.excess == 0 else poles - kg * (self.excess == 1)
         return np.abs(s.sum(axis=0) - total) <= 1e-7 * (np.abs(s).sum(axis=0) + self.largest)
 
-    def _nodes(self) -> NDArray:
-        """Return as many distinct points as there are poles: reals, then pairs, the upper one first."""
+    def _nodes(self) -> tuple[NDArray, NDArray]:
+        """Return as many points as there are poles: real ones, and the upper ones of pairs."""
         poles, counts = self.points[: self.poles], self.counts[: self.poles]
-        upper = [pole for pole, count in zip(poles, counts, strict=True) if count == 1 and pole.imag > 0]
-        real = [pole for pole, count in zip(poles, counts, strict=True) if count == 1 and pole.imag == 0]
-        for pole, count in zip(poles, counts, strict=True):
-            if count == 1 or pole.imag < 0:
+        single = counts == 1
+        real, upper = [*poles[single & (poles.imag == 0)]], [*poles[single & (poles.imag > 0)]]
+        for pole, count in zip(poles[~single], counts[~single], strict=True):
+            if pole.imag < 0:
                 continue
             others = np.abs(self.points - pole)
             radius = 0.3 * min(others[others > 0].min(initial=2.0), 2.0)
             circle = pole + radius * np.exp(1j * np.pi * (2 * np.arange(count) + 1) / count)
             upper += [*circle[: count if pole.imag else count // 2]]
             real += [] if pole.imag else [pole.real - radius] * (count % 2)
-        pairs = np.array(upper, complex)
-        return np.concatenate([np.array(real, complex), np.stack([pairs, pairs.conj()], axis=1).ravel()])
+        return np.array(real, complex), np.array(upper, complex)
 
 
 def _in_pairs(s: NDArray) -> tuple[NDArray, NDArray]:
@@ -247,11 +254,3 @@ def _in_pairs(s: NDArray) -> tuple[NDArray, NDArray]:
     partner = squared_distances(sets, sets.conj()).argmin(axis=2)
     paired = (partner[rows, partner] == np.arange(len(s))).all(axis=1)
     return ((sets + sets[rows, partner].conj()) / 2).T, paired
-
-
-def _real_form(nodes: NDArray) -> NDArray:
-    """Return the unitary matrix that makes a diagonal one of nodes (reals, then pairs) real."""
-    form = np.eye(nodes.size, dtype=complex)
-    for i in range(int((nodes.imag == 0).sum()), nodes.size, 2):
-        form[i : i + 2, i : i + 2] = np.array([[1, 1j], [1, -1j]]) / np.sqrt(2)
-    return form

@@ -1,8 +1,9 @@
 // Marks of a root locus on the upper half of the s plane: what lies below the real axis mirrors it. Each is a
 // layer.
-import { number } from '../page/numbers.js';
+
 import { polygon } from './context.js';
 import { arrowHead, cross, mark } from './marks.js';
+import { number } from './numbers.js';
 
 /** @import { Crossing, NamedRoots, Point, Roots } from '../types.d.ts' */
 /** @import { Layer, Plane } from './plane.js' */

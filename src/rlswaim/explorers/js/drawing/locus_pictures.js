@@ -1,26 +1,24 @@
 // The two pictures of the s plane: the root locus, and the map of the poles over a station.
 import { branches, crosses, crossing, directions, poles } from './locus_marks.js';
 import { dot, label, plus, ring, specks } from './marks.js';
-import { requiredRegion } from './required_region.js';
 import { originInset, sPlane } from './s_plane.js';
 import { zPlane } from './z_plane.js';
 
 /** @import { Graphics, Locus, NamedRoots, Point, Pole, Roots, Theme, View } from '../types.d.ts' */
 /** @import { Layer } from './plane.js' */
-/** @import { Region } from './required_region.js' */
 /**
  * @typedef {{ printed: Pole[], selected: Pole, inset: { view: View, locus: Locus, magnify: number },
- *   region?: Region, cloud?: Roots[], discrete?: boolean }} Extra cloud: the poles of dispersed vehicles;
+ *   region?: Layer, cloud?: Roots[], discrete?: boolean }} Extra cloud: the poles of dispersed vehicles;
  *   discrete: roots in z, not in s
  */
 
-const NO_REGION = { sigma: 0, zeta: 0 };
+const NOTHING = () => {};
 
 /** @param {Locus} locus @param {Theme} theme @param {Extra} extra @returns {Layer[]} */
-function marksOf(locus, theme, { printed, selected, region = NO_REGION, cloud = [], discrete }) {
+function marksOf(locus, theme, { printed, selected, region = NOTHING, cloud = [], discrete }) {
   const names = locus.open.branches;
   return [
-    requiredRegion(region),
+    region,
     branches(locus.branches, names),
     directions(locus.branches, names),
     ...locus.breaks.map(({ x, y }) => dot(x, Math.abs(y), theme.ink)),

@@ -1,6 +1,8 @@
-// Where in the s plane no pole may be: hatched, with a line at its border, so that it needs no color.
+// Where in the s plane or the z plane no pole may be: hatched, with a line at its border, so that it needs no
+// color.
 import { polygon } from './context.js';
 import { straight } from './frequency_axes.js';
+import { line } from './marks.js';
 
 /** @import { Layer, Plane } from './plane.js' */
 /** @typedef {{ sigma: number, zeta: number }} Region 0: not asked for */
@@ -57,4 +59,39 @@ export const requiredRegion =
   (plane) => {
     if (sigma > 0) decay(plane, sigma);
     if (zeta > 0) damping(plane, zeta);
+  };
+
+const STEPS = 96; // of a spiral or a circle over the upper half
+
+/**
+ * Hatches what lies outside of a curve about z = 0, from the positive to the negative real axis.
+ * @param {Plane} plane @param {(angle: number) => number} sizeAt
+ */
+function outside(plane, sizeAt) {
+  const { view, theme } = plane;
+  const border = Array.from({ length: STEPS + 1 }, (_, k) => {
+    const angle = (Math.PI * k) / STEPS;
+    return [sizeAt(angle) * Math.cos(angle), sizeAt(angle) * Math.sin(angle)];
+  });
+  const far = 2 * Math.max(Math.abs(view.left), Math.abs(view.right), view.top, 1);
+  const around = [
+    [-far, 0],
+    [-far, far],
+    [far, far],
+    [far, 0],
+  ];
+  hatch(
+    plane,
+    [...border, ...around].flatMap(([a, b]) => [view.X(a), view.Y(b)]),
+  );
+  line(border, theme.ink, 1.2)(plane);
+}
+
+/** @param {{ radius: number, zeta: number }} region radius 1 and zeta 0: not asked for @returns {Layer} */
+export const requiredInZ =
+  ({ radius, zeta }) =>
+  (plane) => {
+    if (radius < 1) outside(plane, () => radius);
+    const turn = zeta / Math.sqrt(1 - zeta * zeta);
+    if (zeta > 0) outside(plane, (angle) => Math.exp(-turn * angle));
   };

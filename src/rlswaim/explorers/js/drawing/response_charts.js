@@ -11,7 +11,7 @@ import { frameOf, viewOf } from './view.js';
 const ROW = 118;
 const MARGIN = { left: 50, right: 8, top: 18, bottom: 20 };
 /** @type {Record<string, string>} */
-const LETTER = { eta: 'η', alpha: 'α', theta: 'θ', q1: 'q₁', q2: 'q₂', delta: 'δ', delta_r: 'δᵣ' };
+export const LETTER = { eta: 'η', alpha: 'α', theta: 'θ', q1: 'q₁', q2: 'q₂', delta: 'δ', delta_r: 'δᵣ' };
 /** @type {Record<string, string>} */
 const BRANCH = {
   z: 'drift',

@@ -1,5 +1,5 @@
 // Round numbers along an axis.
-import { number } from '../page/numbers.js';
+import { number } from './numbers.js';
 
 const STEPS = [1, 2, 5, 10];
 const FINE = [1, 1.25, 1.6, 2, 2.5, 3.2, 4, 5, 6.4, 8, 10];

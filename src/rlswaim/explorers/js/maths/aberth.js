@@ -14,7 +14,8 @@ let moving = new Uint8Array(32);
  * never fall on one root, so branches stay apart at break-away points. A point rests once |p| is as small as
  * rounding allows, or after a step shorter than `close` times the distance to its neighbor: what is left is
  * then smaller by close^2 again. Where Aberth's correction has a pole a step would lead anywhere, and powers
- * of it overflow: none is longer than four times the size of the largest root.
+ * of it overflow: none is longer than four times the size of the largest point or, where that is larger, of
+ * the geometric mean of all roots.
  * @param {Coefficients} c
  * @param {number} n
  * @param {Numbers} x
@@ -29,7 +30,8 @@ export function aberth(c, n, x, y, close = 1e-6) {
     rests[i] = 0;
     largestSquare = Math.max(largestSquare, x[i] * x[i] + y[i] * y[i]);
   }
-  const longestSquare = 16 * largestSquare || Infinity;
+  const mean = Math.abs(c[0] / c[n]) ** (2 / n);
+  const longestSquare = 16 * Math.max(largestSquare, mean) || Infinity;
   let left = n;
   for (let sweep = 0; left > 0 && sweep < SWEEPS; sweep++) {
     for (let i = 0; i < n; i++) {

@@ -2,7 +2,7 @@
 // goes through the compensator: with k N/D in place of k, times D, a term with k is multiplied by N and any
 // other by D.
 import { roots } from './aberth.js';
-import { isProper, ratioOf, rootsOf } from './compensator.js';
+import { isProper, monic, rootsOf } from './compensator.js';
 import { multiply } from './polynomials.js';
 
 /** @typedef {import('./terms.js').System} System */
@@ -10,9 +10,6 @@ import { multiply } from './polynomials.js';
 /** @typedef {import('./compensator.js').Compensator} Compensator */
 
 export const BRANCH = 'compensator';
-
-/** @param {{ N: Float64Array, D: Float64Array }} ratio */
-const monic = ({ N, D }) => [N, D].map((c) => c.map((v) => v / D[D.length - 1]));
 
 /**
  * The system with the compensator in the path of one of its gains; the system itself without one, or with one
@@ -26,7 +23,7 @@ export function compensated(system, compensator) {
   if (!compensator || !isProper(compensator)) return system;
   const { place, sections } = compensator;
   // The characteristic polynomial begins with 1 as before, which the responses rely on.
-  const [N, D] = monic(ratioOf(compensator));
+  const [N, D] = monic(compensator);
   /** @param {Term} term */
   const within = (term) => ({
     factors: term.factors,

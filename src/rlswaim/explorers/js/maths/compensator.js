@@ -1,9 +1,12 @@
 // A compensator of sections in series, and its place in a loop: as a factor of one gain's signal.
 import { multiply } from './polynomials.js';
+import { SECTIONS_IN_S } from './sections_in_s.js';
+import { SECTIONS_IN_Z } from './sections_in_z.js';
 
 /** @typedef {import('./terms.js').System} System */
 /** @typedef {import('./terms.js').Term} Term */
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
+/** @typedef {import('./sections_in_s.js').Kind} Kind */
 /**
  * kind: a key of KINDS; values: its numbers, in the order of the kind's names.
  * @typedef {{ kind: string, values: number[] }} Section
@@ -12,96 +15,15 @@ import { multiply } from './polynomials.js';
  * place: the gain whose signal goes through it.
  * @typedef {{ place: string, gain: number, sections: Section[] }} Compensator
  */
-/** @typedef {{ N: Coefficients, D: Coefficients }} Ratio constant term first; 1 at s = 0 where it can be */
-/**
- * names: of the numbers, with unit; least, most: their bounds; fresh: the first values, from a frequency.
- * @typedef {{ text: string, names: string[], least: number[], most: number[],
- *   fresh: (omega: number) => number[], ratio: (values: number[]) => Ratio }} Kind
- */
 
 /** The most sections, and the highest order that all of them may have together. */
 export const MOST = { sections: 8, order: 12 };
-export const SLOWEST = 1e-2; // rad/s: a real root nearer to the origin is at it
-const FASTEST = 1e3;
-
-/** A real root at s = at: 1 - s/at, or s at the origin. @param {number} at */
-const root = (at) => (at === 0 ? [0, 1] : [1, -1 / at]);
-/** @param {number} omega @param {number} zeta */
-const pair = (omega, zeta) => [1, (2 * zeta) / omega, 1 / (omega * omega)];
-
-/**
- * The numerator of Pade's approximation of e^(-s T), of order n over n; the denominator has -s in it.
- * @param {number} T s
- * @param {number} n
- */
-function pade(T, n) {
-  const c = [1];
-  for (let k = 1; k <= n; k++) c.push((c[k - 1] * (n - k + 1) * T) / ((2 * n - k + 1) * k));
-  return c;
-}
 
 /** @type {Record<string, Kind>} */
-export const KINDS = {
-  pole: {
-    text: 'Real pole',
-    names: ['s (1/s)'],
-    least: [-FASTEST],
-    most: [FASTEST],
-    fresh: (omega) => [-omega],
-    ratio: ([at]) => ({ N: [1], D: root(at) }),
-  },
-  zero: {
-    text: 'Real zero',
-    names: ['s (1/s)'],
-    least: [-FASTEST],
-    most: [FASTEST],
-    fresh: (omega) => [-omega],
-    ratio: ([at]) => ({ N: root(at), D: [1] }),
-  },
-  poles: {
-    text: 'Pole pair',
-    names: ['ω (rad/s)', 'ζ'],
-    least: [SLOWEST, -1],
-    most: [FASTEST, 1],
-    fresh: (omega) => [omega, 0.5],
-    ratio: ([omega, zeta]) => ({ N: [1], D: pair(omega, zeta) }),
-  },
-  zeros: {
-    text: 'Zero pair',
-    names: ['ω (rad/s)', 'ζ'],
-    least: [SLOWEST, -1],
-    most: [FASTEST, 1],
-    fresh: (omega) => [omega, 0.1],
-    ratio: ([omega, zeta]) => ({ N: pair(omega, zeta), D: [1] }),
-  },
-  notch: {
-    text: 'Notch',
-    names: ['ω (rad/s)', 'ζ of zeros', 'ζ of poles'],
-    least: [SLOWEST, 0, 0.01],
-    most: [FASTEST, 1, 1],
-    fresh: (omega) => [omega, 0.05, 0.5],
-    ratio: ([omega, zero, pole]) => ({ N: pair(omega, zero), D: pair(omega, pole) }),
-  },
-  lead: {
-    text: 'Lead or lag',
-    names: ['zero (1/s)', 'pole (1/s)'],
-    least: [-FASTEST, -FASTEST],
-    most: [-SLOWEST, -SLOWEST],
-    fresh: (omega) => [-omega / 2, -omega * 2],
-    ratio: ([zero, pole]) => ({ N: root(zero), D: root(pole) }),
-  },
-  delay: {
-    text: 'Delay',
-    names: ['T (s)', 'order of Padé'],
-    least: [1e-3, 1],
-    most: [10, 4],
-    fresh: (omega) => [Number((0.1 / omega).toPrecision(3)), 2],
-    ratio: ([T, order]) => {
-      const D = pade(T, order);
-      return { N: D.map((c, k) => (k % 2 ? -c : c)), D };
-    },
-  },
-};
+export const KINDS = { ...SECTIONS_IN_S, ...SECTIONS_IN_Z };
+
+/** Names of the kinds for continuous or discrete time. @param {boolean} isDiscrete */
+export const kindsOf = (isDiscrete) => Object.keys(isDiscrete ? SECTIONS_IN_Z : SECTIONS_IN_S);
 
 /** How many zeros and poles a section has. @param {Section} section */
 export function orderOf({ kind, values }) {
@@ -128,6 +50,12 @@ export function ratioOf({ gain, sections }) {
   const product = (part, first) =>
     all.reduce((found, ratio) => multiply(found, ratio[part]), Float64Array.of(first));
   return { N: product('N', gain), D: product('D', 1) };
+}
+
+/** N and D of all sections, the leading coefficient of D 1. @param {Compensator} compensator */
+export function monic(compensator) {
+  const { N, D } = ratioOf(compensator);
+  return [N, D].map((c) => c.map((v) => v / D[D.length - 1]));
 }
 
 /** Can it be built: has it as many poles as zeros? @param {Compensator} compensator */
@@ -159,7 +87,7 @@ function shortRoots(c) {
 /** @typedef {(c: Coefficients) => { x: ArrayLike<number>, y: ArrayLike<number> }} Solver */
 
 /**
- * The poles and the zeros of a section.
+ * The poles and the zeros of a section, those at the origin last.
  * @param {Section} section
  * @param {Solver} solve for what is longer than a quadratic
  */
@@ -168,8 +96,11 @@ export function rootsOf({ kind, values }, solve) {
   /** @param {Coefficients} c */
   const found = (c) => {
     if (c.length <= 3) return shortRoots(c);
-    const { x, y } = solve(c);
-    return Array.from(x, (re, i) => ({ re, im: y[i] }));
+    const all = Array.from(c);
+    const resting = all.findIndex((v) => v !== 0);
+    const { x, y } = solve(all.slice(resting));
+    const rest = Array.from(x, (re, i) => ({ re, im: y[i] }));
+    return [...rest, ...Array(resting).fill({ re: 0, im: 0 })];
   };
   return { zeros: found(N), poles: found(D) };
 }

@@ -3,6 +3,7 @@ import { closedLoop } from './closed_loop.js';
 import { marginsOf } from './margins.js';
 import { marginsOnCurve } from './margins_on_curve.js';
 import { lastLoop, loopOf, withoutGains } from './open_loop.js';
+import { ownMargins } from './own_margins.js';
 
 /** @typedef {import('./terms.js').System} System */
 /** @typedef {import('./terms.js').State} State */
@@ -31,6 +32,15 @@ export function loopToCut(system, what) {
 }
 
 /**
+ * Time between samples (s, 1 where it is not told), 0 in continuous time.
+ * @param {System & { period?: number }} system
+ */
+export function periodOf(system) {
+  const dt = system.loop?.dt;
+  return dt === true ? 1 : (dt ?? system.period ?? 0);
+}
+
+/**
  * @param {System & { loci?: What[], period?: number }} system
  * @param {State} state
  * @param {What} shown by the locus
@@ -40,8 +50,7 @@ export function cutLoop(system, state, shown) {
   const what = loopToCut(system, shown);
   const { running, off } = what;
   const loop = loopOf(system, state, what);
-  const dt = system.loop?.dt;
-  const period = dt === true ? 1 : (dt ?? system.period ?? 0);
+  const period = periodOf(system);
   const still = withoutGains(state, off);
   const { x, y } = closedLoop(system, still);
   /** @param {number} re @param {number} i */
@@ -59,3 +68,20 @@ export function cutLoop(system, state, shown) {
 
 /** The margins of a loop that is cut. @param {CutLoop} cut */
 export const cutMargins = (cut) => (cut.period ? marginsOnCurve(cut) : marginsOf(cut.loop, cut.gain));
+
+/**
+ * The margins by which a loop is judged: of one that a reader gave those from its factors, which are exact,
+ * at frequency 0 too; of any other those at the frequencies of its response.
+ * @param {System} system
+ * @param {CutLoop} cut
+ */
+export function judgedMargins({ loop }, cut) {
+  if (!loop) {
+    const found = cutMargins(cut);
+    return found && { ...found, gain: found.gain.filter(({ omega }) => omega > 0) };
+  }
+  const found = ownMargins(cut.parts, cut.loop.crossings(), cut.gain, loop.dt);
+  /** @template {{ omega: number }} Each @param {Each} margin @returns {Each} */
+  const inTime = (margin) => ({ ...margin, omega: margin.omega / (cut.period || 1) });
+  return found && { gain: found.gain.map(inTime), phase: found.phase.map(inTime) };
+}

@@ -1,6 +1,9 @@
 // What may be asked of a closed loop, and whether it holds: bounds on its poles and on its margins.
 
-/** @typedef {{ re: number, im: number, name: string }} Pole */
+/**
+ * size: |z| of a pole of discrete time, which then stands here as the s with z = e^(s period).
+ * @typedef {{ re: number, im: number, name: string, size?: number }} Pole
+ */
 /**
  * @typedef {{ gain: { dB: number, omega: number }[], phase: { degrees: number, omega: number }[] }}
  *   Margins
@@ -24,7 +27,10 @@ export function dampingOf(percent) {
 }
 
 /** @param {Pole} pole */
-const zetaOf = ({ re, im }) => (re === 0 && im === 0 ? 0 : -re / Math.hypot(re, im));
+function zetaOf({ re, im }) {
+  if (re === -Infinity) return 1; // z = 0
+  return re === 0 && im === 0 ? 0 : -re / Math.hypot(re, im);
+}
 /** The overshoot (%) that belongs to a damping ratio, none from 1 on. @param {number} zeta */
 export const overshootOf = (zeta) =>
   zeta >= 1 ? 0 : 100 * Math.exp((-Math.PI * zeta) / Math.sqrt(1 - zeta * zeta));
@@ -50,8 +56,11 @@ function nearest(all, size, isStable) {
   return { found: first ? size(first) : Infinity, name: '', omega };
 }
 
-/** @typedef {{ text: string, unit: string, least: number, most: number, fresh: number,
- *   find: (loop: Loop, bound: number) => Finding }} Kind */
+/**
+ * in: the plane alone in which it is asked for; unit: s is a sample where no time is told.
+ * @typedef {{ text: string, unit: string, least: number, most: number, fresh: number, in?: 's' | 'z',
+ *   find: (loop: Loop, bound: number) => Finding }} Kind
+ */
 
 /** @type {Record<string, Kind>} */
 export const ASKED = {
@@ -66,6 +75,7 @@ export const ASKED = {
   sigma: {
     text: 'least decay σ',
     unit: '1/s',
+    in: 's',
     least: 1e-4,
     most: 1e3,
     fresh: 0.1,
@@ -74,6 +84,18 @@ export const ASKED = {
         least(poles, ({ re }) => -re),
         bound,
       ),
+  },
+  radius: {
+    text: 'largest |z| at most',
+    unit: '',
+    in: 'z',
+    least: 0.001,
+    most: 0.99999,
+    fresh: 0.9,
+    find({ poles }, bound) {
+      const outermost = least(poles, ({ size }) => -size);
+      return { ...outermost, found: -outermost.found, holds: -outermost.found <= bound };
+    },
   },
   settling: {
     text: 'settling time (2 %) at most',
@@ -107,7 +129,7 @@ export const ASKED = {
     fresh: 6,
     find: ({ margins, isStable }, bound) =>
       atLeast(
-        nearest(margins?.gain.filter(({ omega }) => omega > 0) ?? [], ({ dB }) => Math.abs(dB), isStable),
+        nearest(margins?.gain ?? [], ({ dB }) => Math.abs(dB), isStable),
         bound,
       ),
   },
@@ -136,6 +158,23 @@ export const regionOf = ({ zeta = 0, sigma = 0, settling = Infinity, overshoot =
   sigma: Math.max(sigma, SETTLED / settling),
   zeta: Math.max(zeta, overshoot < 100 ? dampingOf(overshoot) : 0),
 });
+
+/**
+ * The part of the z plane: within a radius, and at least so well damped.
+ * @param {Requirements} asked @param {number} period s
+ */
+export function regionInZ(asked, period) {
+  const { sigma, zeta } = regionOf(asked);
+  return { radius: Math.min(asked.radius ?? 1, Math.exp(-sigma * period)), zeta };
+}
+
+/** Poles of z as those of s. @param {Pole[]} poles @param {number} period s @returns {Pole[]} */
+export const polesOfZ = (poles, period) =>
+  poles.map(({ re, im, name }) => {
+    const size = Math.hypot(re, im);
+    const turn = im === 0 && re >= 0 ? 0 : Math.atan2(im || 0, re);
+    return { re: Math.log(size) / period, im: turn / period, name, size };
+  });
 
 /**
  * @param {Requirements} asked @param {Loop} loop

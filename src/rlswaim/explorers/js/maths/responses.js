@@ -21,7 +21,7 @@ import { factorsOf, polynomial } from './terms.js';
  * @param {number} y
  * @returns {Complex}
  */
-function growth(x, y) {
+export function growth(x, y) {
   if (x === 0 && y === 0) return [1, 0];
   const half = Math.sin(y / 2);
   const re = Math.expm1(x) * Math.cos(y) - 2 * half * half;
@@ -98,6 +98,28 @@ export const MOTIONS = {
   },
 };
 
+/** @typedef {{ x: number, y: number, re: number, im: number }} Part a root, and 1/D' at it */
+
+/**
+ * What a numerator is to be multiplied by at each root: 1/D', twice for a pair, of which the real part is
+ * both its halves.
+ * @param {Points} poles
+ * @returns {Part[]}
+ */
+export function residueParts({ x, y }) {
+  const parts = [];
+  for (let i = 0; i < x.length; i++) {
+    if (y[i] < 0) continue;
+    let [re, im] = [1, 0];
+    for (let j = 0; j < x.length; j++)
+      if (j !== i)
+        [re, im] = [re * (x[i] - x[j]) - im * (y[i] - y[j]), re * (y[i] - y[j]) + im * (x[i] - x[j])];
+    const weight = (y[i] > 0 ? 2 : 1) / (re * re + im * im);
+    parts.push({ x: x[i], y: y[i], re: weight * re, im: -weight * im });
+  }
+  return parts;
+}
+
 /**
  * The outputs at the given times (s) after an input.
  * @param {System} system
@@ -113,19 +135,12 @@ export function responses(system, state, { input, kind, amplitude, duration }, t
     N: polynomial(terms, factors),
     sum: new Float64Array(times.length),
   }));
-  const { x, y } = setApart(closedLoopPoles(system, state), 1 / times[times.length - 1]);
-  for (let i = 0; i < x.length; i++) {
-    if (y[i] < 0) continue;
-    // amplitude / D'(p), twice for a pair: the real part is both its halves
-    let [re, im] = [1, 0];
-    for (let j = 0; j < x.length; j++)
-      if (j !== i)
-        [re, im] = [re * (x[i] - x[j]) - im * (y[i] - y[j]), re * (y[i] - y[j]) + im * (x[i] - x[j])];
-    const weight = (amplitude * (y[i] > 0 ? 2 : 1)) / (re * re + im * im);
-    const values = Array.from(times, MOTIONS[kind](x[i], y[i], duration));
+  const poles = setApart(closedLoopPoles(system, state), 1 / times[times.length - 1]);
+  for (const { x, y, re, im } of residueParts(poles)) {
+    const values = Array.from(times, MOTIONS[kind](x, y, duration));
     for (const { N, sum } of outputs) {
-      const [nx, ny] = evaluate(N, x[i], y[i]);
-      const [rx, ry] = [weight * (nx * re + ny * im), weight * (ny * re - nx * im)];
+      const [nx, ny] = evaluate(N, x, y);
+      const [rx, ry] = [amplitude * (nx * re - ny * im), amplitude * (nx * im + ny * re)];
       if (rx === 0 && ry === 0) continue;
       for (let k = 0; k < sum.length; k++) sum[k] += rx * values[k][0] - ry * values[k][1];
     }

@@ -1,5 +1,5 @@
 // What an address says of a view: the values that can be shown, and words for what was changed or left out.
-import { number } from './numbers.js';
+import { number } from '../drawing/numbers.js';
 
 /** @import { Parameter } from '../types.d.ts' */
 /** @typedef {{ value?: number | string, note?: string }} Found a value, none without sense, and words */

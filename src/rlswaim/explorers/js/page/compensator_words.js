@@ -1,7 +1,8 @@
 // A compensator in short words.
+
+import { complex, number } from '../drawing/numbers.js';
 import { BRANCH } from '../maths/compensated.js';
 import { KINDS } from '../maths/compensator.js';
-import { number } from './numbers.js';
 
 /** @import { Compensator } from '../maths/compensator.js' */
 
@@ -12,6 +13,10 @@ export function ratioWords({ place, gain, sections }) {
   );
   return [`with ${place}`, ...(gain === 1 ? [] : [`gain ${number(gain)}`]), ...parts].join(' · ');
 }
+
+/** Where a root of it is. @param {number} re @param {number} im @param {boolean} isDiscrete */
+export const placeWords = (re, im, isDiscrete) =>
+  isDiscrete ? `z = ${complex(re, im)}` : `${complex(re, im)} 1/s, ω ${number(Math.hypot(re, im), 3)} rad/s`;
 
 const COLORS = ['#E69F00', '#009E73'];
 

@@ -1,8 +1,8 @@
 // What a root locus shows beside its poles, in words: crossings, margins, the roots that the report prints.
 import { nearestRoot } from '../drawing/nearest.js';
+import { complex, number, signed } from '../drawing/numbers.js';
 import { nearestFirst } from '../maths/one_margin.js';
 import { element, set, symbol } from './elements.js';
-import { complex, number, signed } from './numbers.js';
 
 /** @import { Crossing, Roots } from '../types.d.ts' */
 /** @import { GainMargin, PhaseMargin } from '../maths/one_margin.js' */

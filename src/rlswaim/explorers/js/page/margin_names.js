@@ -1,6 +1,7 @@
 // Margins with the names of the modes that they belong to, as marks and in words.
+
+import { number, signed } from '../drawing/numbers.js';
 import { nearestFirst } from '../maths/one_margin.js';
-import { number, signed } from './numbers.js';
 
 /** @import { MarginMark } from '../drawing/frequency_axes.js' */
 /** @import { Sample } from '../maths/frequency_response.js' */

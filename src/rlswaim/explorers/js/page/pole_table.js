@@ -1,6 +1,7 @@
 // Poles as text: the table of the page, and the same as CSV.
+
+import { digits } from '../drawing/numbers.js';
 import { element, headRow, set } from './elements.js';
-import { digits } from './numbers.js';
 import { asText } from './take_away.js';
 
 /** @import { Pole, Theme, Values } from '../types.d.ts' */

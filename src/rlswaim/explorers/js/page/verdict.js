@@ -1,7 +1,7 @@
 // Is the system stable, and why: in words, on a line of the page.
 import { nearestRoot } from '../drawing/nearest.js';
+import { number } from '../drawing/numbers.js';
 import { element, set } from './elements.js';
-import { number } from './numbers.js';
 
 /** @import { Pole } from '../types.d.ts' */
 /** @typedef {{ kind: string, word: string, short: string, long: string }} Verdict */

@@ -1,6 +1,7 @@
 // What a workbench says of a loop in discrete time.
+
+import { number } from '../drawing/numbers.js';
 import { marginWords } from './locus_words.js';
-import { number } from './numbers.js';
 
 /** @import { Crossing, Pole } from '../types.d.ts' */
 /** @import { Words } from './words_in_s.js' */

@@ -15,7 +15,7 @@ import { LoopError } from './loop_error.js';
  *   exact: boolean, dt: number | true }} GivenRoots
  */
 
-const HIGHEST = 30; // order
+export const HIGHEST = 30; // order
 const FARTHEST = 1e-12; // of a root's size, from its conjugate
 const WIDEST = 2500; // binary digits of the entries of a state space, times its order
 

@@ -2,11 +2,11 @@
 // values.
 import { contextOf } from '../drawing/context.js';
 import { label, line, mark } from '../drawing/marks.js';
+import { number, signed } from '../drawing/numbers.js';
 import { Plane } from '../drawing/plane.js';
 import { frameOf, viewOf } from '../drawing/view.js';
 import { flight } from '../maths/flights.js';
 import { element, legend, picture, set } from '../page/elements.js';
-import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { simple } from './simple_view.js';
 

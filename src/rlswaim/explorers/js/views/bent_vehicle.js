@@ -1,10 +1,10 @@
 // The bent vehicle with the forces on it, under the motions that the sliders set.
 import { contextOf } from '../drawing/context.js';
+import { number, signed } from '../drawing/numbers.js';
 import { Plane } from '../drawing/plane.js';
 import { frameOf, viewOf } from '../drawing/view.js';
 import { loads, ROWS } from '../maths/bent_vehicle_forces.js';
 import { element, legend, picture, set } from '../page/elements.js';
-import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { REACH, vehicleMarks } from './bent_vehicle_marks.js';
 import { ModeMotion } from './mode_motion.js';

@@ -4,7 +4,6 @@ import { roots } from '../maths/aberth.js';
 import { KINDS, rootsOf } from '../maths/compensator.js';
 import { button, element } from '../page/elements.js';
 import { movable, movableByKeys } from '../page/movable_point.js';
-import { complex, number } from '../page/numbers.js';
 
 /** @import { View } from '../types.d.ts' */
 /** @import { Section } from '../maths/compensator.js' */
@@ -15,61 +14,37 @@ import { complex, number } from '../page/numbers.js';
  */
 /** @typedef {{ x: number, y: number }} Spot px */
 
-/** @param {number} v */
-const short = (v) => Number(v.toPrecision(4));
-const STEP = 1.05; // factor of a key
-
-/**
- * The numbers of a section of which one root, or pair of roots, is moved.
- * @param {Section} section @param {boolean} isZero
- * @returns {(re: number, im: number) => number[]}
- */
-function mover({ kind, values }, isZero) {
-  /** @param {number} re @param {number} im */
-  const omegaZeta = (re, im) => {
-    const omega = Math.hypot(re, im);
-    return [short(omega), short(-re / omega)];
-  };
-  if (kind === 'pole' || kind === 'zero') return (re) => [short(re)];
-  if (kind === 'lead') return (re) => (isZero ? [short(re), values[1]] : [values[0], short(re)]);
-  if (kind === 'notch')
-    return (re, im) => {
-      const [omega, zeta] = omegaZeta(re, im);
-      return isZero ? [omega, zeta, values[2]] : [omega, values[1], zeta];
-    };
-  if (kind === 'delay') {
-    const now = rootsOf({ kind, values }, roots).poles[0];
-    return (re, im) => [short((values[0] * Math.hypot(now.re, now.im)) / Math.hypot(re, im)), values[1]];
-  }
-  return omegaZeta;
-}
-
 /** @param {Section[]} sections @returns {Grip[]} */
 export const gripsOf = (sections) =>
   sections.flatMap((section, at) => {
+    const { kind, values } = section;
+    const { moved, isOne } = KINDS[kind];
+    if (!moved) return [];
     const { poles, zeros } = rootsOf(section, roots);
     /** @param {{ re: number, im: number }[]} all @param {boolean} isZero */
     const upper = (all, isZero) =>
       all
         .filter(({ im }) => im >= 0)
-        .slice(0, section.kind === 'delay' ? 1 : 2)
-        .map(({ re, im }) => ({
+        .slice(0, isOne ? 1 : 2)
+        .map((from) => ({
           section: at,
-          kind: section.kind,
+          kind,
           isZero,
-          re,
-          im,
-          set: mover(section, isZero),
+          ...from,
+          set: (/** @type {number} */ re, /** @type {number} */ im) =>
+            moved(values, isZero, { re, im }, from),
         }));
-    return [...upper(poles, false), ...(section.kind === 'delay' ? [] : upper(zeros, true))];
+    return [...upper(poles, false), ...(isOne ? [] : upper(zeros, true))];
   });
 
 export class Grips {
   /**
    * @param {HTMLElement} stage on which they lie
    * @param {{ view: () => View, spot: (grip: Grip, view: View) => Spot,
-   *   moved: (grip: Grip, x: number, y: number) => [number, number], put: (section: number, values:
-   * number[]) => void, drop: () => void }} place how a root and a place of the stage belong together
+   *   moved: (grip: Grip, x: number, y: number) => [number, number],
+   *   stepped: (re: number, im: number, right: number, up: number) => [number, number],
+   *   told: (re: number, im: number) => string, put: (section: number, values: number[]) => void,
+   *   drop: () => void }} place how a root and a place of the stage belong together
    */
   constructor(stage, place) {
     this.place = place;
@@ -91,9 +66,7 @@ export class Grips {
       drop: place.drop,
       step: (right, up) => {
         const { re, im } = made.grip;
-        const factor = STEP ** (right || up);
-        if (right || im === 0) put(re * factor, im * factor);
-        else put(re / factor, im);
+        put(...place.stepped(re, im, right, up));
       },
     };
     movable(/** @type {any} */ (made.node), point);
@@ -117,7 +90,7 @@ export class Grips {
       made.node.style.transform = `translate(${spot.x}px, ${spot.y}px)`;
       const { kind, isZero, re, im } = grips[i];
       const label = `${isZero ? 'zero' : 'pole'} of the compensator’s ${KINDS[kind].text.toLowerCase()} at `;
-      made.node.ariaLabel = `${label}${complex(re, im)} 1/s, ω ${number(Math.hypot(re, im), 3)} rad/s`;
+      made.node.ariaLabel = `${label}${this.place.told(re, im)}`;
     });
   }
 }

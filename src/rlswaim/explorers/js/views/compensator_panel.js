@@ -1,9 +1,11 @@
 // A compensator in the loop: its place, its gain and its sections, which are added, typed and taken out here.
-import { isProper, KINDS } from '../maths/compensator.js';
-import { bounded, compensatorFrom, isSmall, textOf } from '../page/compensator_text.js';
-import { ratioWords } from '../page/compensator_words.js';
+
+import { number, typedNumber } from '../drawing/numbers.js';
+import { isProper, KINDS, kindsOf } from '../maths/compensator.js';
+import { movementOf } from '../maths/moved_roots.js';
+import { bounded, textOf } from '../page/compensator_text.js';
+import { placeWords, ratioWords } from '../page/compensator_words.js';
 import { button, element, panel, select, set } from '../page/elements.js';
-import { number, typedNumber } from '../page/numbers.js';
 import { Grips } from './compensator_grips.js';
 
 /** @import { Compensator, Section } from '../maths/compensator.js' */
@@ -12,6 +14,10 @@ import { Grips } from './compensator_grips.js';
 const WITHOUT =
   'It is in the locus, the poles, the verdict, the margins, the frequency response, the pole map, the mode ' +
   'shape and the responses. Other views of the page are without it.';
+const IN_OWN_LOOP =
+  'It is in the locus, the poles, the verdict, the margins, the frequency response and the step response.';
+const LEFT_OUT =
+  ' A pure delay is whole samples, poles at z = 0; part of a sample is not offered, as no z⁻ⁿ has it.';
 
 export class CompensatorPanel {
   /** @param {Workbench} bench */
@@ -22,9 +28,7 @@ export class CompensatorPanel {
     const places = state.places.map((name) => [name, name]);
     this.places = select('in the path of', places, (place) => this.#put({ ...this.#now(), place }));
     this.gain = this.#field('gain', (value) => this.#put({ ...this.#now(), gain: value }));
-    /** @type {[string, string][]} */
-    const kinds = Object.entries(KINDS).map(([kind, { text }]) => [kind, text]);
-    this.kinds = select('Section', kinds, () => {});
+    this.kinds = select('Section', [], () => {});
     this.add = button('Add', () => this.#add());
     this.clear = button('Take it out', () => this.bench.look({ compensator: '' }));
     this.list = element('ul', { class: 'sections' });
@@ -37,6 +41,24 @@ export class CompensatorPanel {
     this.grips = [this.#onPlane(), this.#onBode()];
     this.shown = '-';
     this.kindsShown = '';
+    this.offered = '';
+  }
+
+  /** Offers the kinds of sections of continuous or discrete time. */
+  #offer() {
+    const kinds = kindsOf(this.#isDiscrete);
+    if (this.offered === kinds.join()) return;
+    this.offered = kinds.join();
+    const options = kinds.map((kind) => element('option', { value: kind }, KINDS[kind].text));
+    this.kinds.list.replaceChildren(...options);
+  }
+
+  get #isDiscrete() {
+    return Boolean(this.bench.state.period);
+  }
+
+  get #movement() {
+    return movementOf(this.bench.state.period);
   }
 
   #onPlane() {
@@ -56,13 +78,10 @@ export class CompensatorPanel {
       ...this.#puts(),
       view: () => frequency.bode,
       spot: (grip, view) => {
-        const at = Math.log10(Math.hypot(grip.re, grip.im) || 1e-9);
+        const at = Math.log10(this.#movement.omega(grip.re, grip.im) || 1e-9);
         return { x: view.X(at), y: view.frame.y + (grip.isZero ? 12 : view.frame.h - 12) };
       },
-      moved: ({ re, im }, x) => {
-        const factor = 10 ** frequency.bode.x(x) / Math.hypot(re, im);
-        return [re * factor, im * factor];
-      },
+      moved: ({ re, im }, x) => this.#movement.at(re, im, 10 ** frequency.bode.x(x)),
     });
   }
 
@@ -70,6 +89,8 @@ export class CompensatorPanel {
     return {
       put: (/** @type {number} */ at, /** @type {number[]} */ values) => this.#change(at, values),
       drop: () => this.bench.page.history.settle(),
+      stepped: (/** @type {[number, number, number, number]} */ ...step) => this.#movement.stepped(...step),
+      told: (/** @type {number} */ re, /** @type {number} */ im) => placeWords(re, im, this.#isDiscrete),
     };
   }
 
@@ -94,27 +115,35 @@ export class CompensatorPanel {
     return state.compensator ?? { place: this.places.list.value || state.places[0], gain: 1, sections: [] };
   }
 
-  /** @param {Compensator} compensator */
+  /** Puts it into the loop; returns whether it fits there. @param {Compensator} compensator */
   #put(compensator) {
     const text = textOf(compensator);
-    if (compensatorFrom(text, this.bench.state.places)) this.bench.look({ compensator: text });
+    const fits = Boolean(this.bench.state.compensatorFrom(text));
+    if (fits) this.bench.look({ compensator: text });
+    return fits;
   }
 
   #add() {
     const now = this.#now();
     const kind = this.kinds.list.value;
-    const section = { kind, values: KINDS[kind].fresh(Number(this.#frequency().toPrecision(3))) };
+    const omega = Number(this.#frequency().toPrecision(3)) * (this.bench.state.period || 1);
+    const values = KINDS[kind].fresh(omega).map((value, k) => bounded(kind, k, value));
+    const section = { kind, values };
     const sections = [...now.sections, section];
-    if (isSmall(sections)) this.#put({ ...now, sections });
-    else set(this.words, 'No more sections: the loop would be too long to be drawn at once.');
+    if (!this.#put({ ...now, sections }))
+      set(this.words, 'No more sections: the loop would be too long to be drawn at once.');
   }
 
   /** Where a new section goes: the marked frequency, or that of the pair that decays most slowly. */
   #frequency() {
     const { frequency, poles } = this.bench;
     if (frequency.marked > 0) return frequency.marked;
-    const [slowest] = poles.filter(({ im }) => im > 0).sort((a, b) => b.re - a.re);
-    return slowest ? Math.hypot(slowest.re, slowest.im) : 1;
+    const isDiscrete = this.#isDiscrete;
+    /** @param {{ re: number, im: number }} pole */
+    const growth = ({ re, im }) => (isDiscrete ? Math.hypot(re, im) : re);
+    const [slowest] = poles.filter(({ im }) => im > 0).sort((a, b) => growth(b) - growth(a));
+    if (slowest) return this.#movement.omega(slowest.re, slowest.im);
+    return isDiscrete ? 1 / (10 * this.bench.state.period) : 1;
   }
 
   /**
@@ -168,6 +197,7 @@ export class CompensatorPanel {
   /** Shows the present compensator. */
   show() {
     this.place();
+    this.#offer();
     const { shown } = this.bench.state;
     if (this.shown === shown.compensator) return;
     this.shown = shown.compensator;
@@ -196,9 +226,17 @@ export class CompensatorPanel {
     const { place } = compensator;
     if (!isProper(compensator))
       return 'It has more zeros than poles, so it cannot be built and is left out until a pole is added.';
+    const [of, rest] = this.#isDiscrete ? ['z', 'z = 1'] : ['s', 's = 0'];
+    const gain = number(compensator.gain);
+    const its = `C(${of}) = ${gain} times its sections, each 1 at ${rest} where it can be,`;
+    if (this.bench.system.loop)
+      return [
+        `${its} stands before G(${of}): the loop is ${place} C G. ${IN_OWN_LOOP}`,
+        this.#isDiscrete ? LEFT_OUT : '',
+      ].join('');
     return (
-      `C(s) = ${number(compensator.gain)} times its sections, each 1 at s = 0 where it can be, stands in ` +
-      `the path of ${place}, before its actuator: the signal is multiplied by ${place} C(s). ${WITHOUT}`
+      `${its} stands in the path of ${place}, before its actuator: the signal is multiplied by ` +
+      `${place} C(s). ${WITHOUT}`
     );
   }
 }

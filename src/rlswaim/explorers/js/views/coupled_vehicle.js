@@ -1,12 +1,12 @@
 // The vehicle without control: its poles as the coupling or one of its parameters runs.
 import { contextOf } from '../drawing/context.js';
 import { arrow, cross, line, mark, signsOf } from '../drawing/marks.js';
+import { number } from '../drawing/numbers.js';
 import { sPlane } from '../drawing/s_plane.js';
 import { ladder } from '../drawing/ticks.js';
 import { frameOf, viewOf } from '../drawing/view.js';
 import { paths, poles, uncoupled } from '../maths/coupled_poles.js';
 import { element, legend, picture, scrolling, set } from '../page/elements.js';
-import { number } from '../page/numbers.js';
 import { PoleTable } from '../page/pole_table.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
 import { simple } from './simple_view.js';

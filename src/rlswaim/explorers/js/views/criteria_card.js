@@ -1,105 +1,127 @@
-// A card with what an engineer asks of a loop: does it settle, how large is each motion, and the margins by
-// mode, for the gains that are set.
-import { scaleOf } from '../drawing/response_charts.js';
-import { margins } from '../maths/margins.js';
-import { nearestFirst } from '../maths/one_margin.js';
-import { responses } from '../maths/responses.js';
+// A card with what an engineer asks of a loop: the criteria of chapter XVI for the gains that are set, with
+// their bounds, and whether each is met.
+
+import { number } from '../drawing/numbers.js';
+import { LETTER } from '../drawing/response_charts.js';
+import { evaluateCriteria, isMet } from '../maths/criteria.js';
+import { once } from '../maths/kept_values.js';
+import { placesOf } from '../maths/open_loop.js';
 import { element, headRow, panel, scrolling, set } from '../page/elements.js';
-import { number, signed } from '../page/numbers.js';
 
 /** @import { Workbench } from './workbench.js' */
-/** @typedef {{ re: number, im: number, name: string }} Pole */
-/** @typedef {{ omega: number }} Crossing */
+/** @typedef {import('../maths/criteria.js').Asked} Asked */
+/** @typedef {import('../maths/criteria.js').Criterion} Criterion */
 
-const HORIZON = 30; // s
-const SAMPLES = 1501;
-const BAND = 0.1; // of its largest size, within which a motion counts as settled
+const DIGITS = 3;
+/** @type {Record<string, string>} */
+const UNIT = { deg: '°', 'deg/s': '°/s', 1: '' };
+const VERDICT = new Map([
+  [true, 'met'],
+  [false, 'not met'],
+  [null, 'nothing asked'],
+]);
 
-/**
- * When a motion comes to stay within a band about its last value (s), or null if it does not before the last
- * tenth of the time.
- * @param {Float64Array} values @param {Float64Array} times
- */
-export function settledAt(values, times) {
-  const last = values[values.length - 1];
-  const most = values.reduce((a, b) => Math.max(a, Math.abs(b)), 0);
-  let at = values.length - 1;
-  while (at > 0 && Math.abs(values[at - 1] - last) <= BAND * most) at -= 1;
-  return at > 0.9 * values.length ? null : times[at];
+/** @param {number} value @param {string} unit */
+const withUnit = (value, unit) =>
+  [number(value, DIGITS), UNIT[unit] ?? unit].join(/^deg/.test(unit) ? '' : ' ').trim();
+
+/** A value in words where it is no number. @param {Criterion} criterion @param {Asked} asked */
+function valueWords({ name, value, unit, atMost }, { settling }) {
+  if (Number.isFinite(value)) return withUnit(value, unit);
+  if (Number.isNaN(value)) return 'none';
+  if (name === 'settling') return `not within ${settling.horizon} s`;
+  return atMost ? 'without end' : '∞';
 }
 
-/**
- * The name of the root whose frequency is nearest to that of a crossing.
- * @param {Pole[]} poles @param {number} omega
- */
-export function nearestMode(poles, omega) {
-  const far = (/** @type {Pole} */ { re, im }) => Math.abs(Math.log(Math.hypot(re, im) / omega));
-  return poles.filter(({ re, im }) => re || im).reduce((a, b) => (far(b) < far(a) ? b : a)).name;
+/** What a row is about: a symbol and words. @param {string} name @param {Asked} asked */
+function labelOf(name, { peaks, settling, margins }) {
+  const timed = name === 'settling' ? settling : peaks.find((peak) => peak.name === name);
+  if (timed) {
+    const { symbol, says } = timed;
+    return symbol ? [element('i', {}, LETTER[symbol]), ` ${says}`] : [says];
+  }
+  const kind = Object.keys(margins).find((each) => name.endsWith(` ${each}`));
+  return [kind ? `${name.slice(0, -kind.length - 1)}: ${margins[kind]}` : `${name} margin`];
 }
 
 export class CriteriaCard {
   /** @param {Workbench} bench */
   constructor(bench) {
     this.bench = bench;
+    /** @type {Criterion[] | null} */
+    this.shown = null;
     this.words = element('p', { class: 'criteria' });
+    this.limits = element('p', { class: 'told fine' });
     this.body = element('tbody');
-    const table = element('table', { class: 'criteria' }, headRow(['what', 'value', 'at']), this.body);
+    const heads = headRow(['criterion', 'value', 'asked', 'verdict']);
+    const table = element('table', { class: 'values criteria' }, heads, this.body);
     const toggled = () => this.later();
-    this.node = panel('criteria', 'Criteria', toggled, this.words, scrolling('criteria', table)).node;
+    this.panel = panel(
+      'criteria',
+      'Criteria',
+      toggled,
+      this.words,
+      scrolling('criteria', table),
+      this.limits,
+    );
+    this.node = this.panel.node;
   }
 
   /** Words and numbers, which may lag a little behind the pictures. */
   later() {
     if (!this.node.open || !this.bench.poles) return;
-    const { state, poles } = this.bench;
-    const stable = poles.every(({ re }) => re < 0);
-    const { text } = state.inputs[state.shown.input];
+    const { state, system } = this.bench;
+    const asked = /** @type {Asked} */ (system.criteria);
+    const found = once(system, `criteria ${placesOf(system, state.values)}`, () =>
+      evaluateCriteria(/** @type {any} */ (system), state.values),
+    );
+    if (found === this.shown) return;
+    this.shown = found;
+    this.#tell(found, asked);
+    const named = [...this.body.rows].map((row) => row.dataset.criterion).join();
+    if (named !== found.map(({ name }) => name).join())
+      this.body.replaceChildren(...found.map(({ name }) => emptyRow(name, asked)));
+    found.forEach((criterion, k) => {
+      this.#show(this.body.rows[k], criterion, asked);
+    });
+  }
+
+  /** @param {HTMLTableRowElement} row @param {Criterion} criterion @param {Asked} asked */
+  #show(row, criterion, asked) {
+    const { bound, unit, atMost } = criterion;
+    const met = isMet(criterion);
+    const [value, wanted, verdict] = [...row.cells].slice(1);
+    set(value, valueWords(criterion, asked));
+    set(wanted, bound === null ? '' : `${atMost ? '≤' : '≥'} ${withUnit(bound, unit)}`);
+    set(verdict, VERDICT.get(met) ?? '');
+    verdict.className = met === null ? 'fine' : met ? 'stable' : 'unstable';
+  }
+
+  /** @param {Criterion[]} found @param {Asked} asked */
+  #tell(found, { wanted, settling, gusts, note }) {
+    const verdicts = found.map(isMet).filter((met) => met !== null);
+    const missed = verdicts.filter((met) => !met).length;
+    set(this.panel.extra, missed ? `${missed} of ${verdicts.length} not met` : `all ${verdicts.length} met`);
+    const isStable = !found.some(({ value }) => Number.isNaN(value));
+    const [from, to] = gusts.durations;
     set(
       this.words,
-      stable
-        ? `Motions over ${HORIZON} s after a ${text}; margins of the locus' loop, named by the nearest root.`
+      isStable
+        ? `θ settles when it stays within ${100 * wanted.band} % of a step of its command, ` +
+            `over ${settling.horizon} s. ` +
+            `Peaks are those of the worst 1 − cos gust of ${from} to ${to} s and ${wanted.gust_ft_s} ft/s. ` +
+            'Margins are those of the loop cut at the engine’s command, by mode.'
         : 'This loop is not stable: its motions grow, and it has no margins.',
     );
-    this.body.replaceChildren(...(stable ? [...this.#motions(), ...this.#margins(poles)] : []));
-  }
-
-  #motions() {
-    const { system, state } = this.bench;
-    const times = Float64Array.from({ length: SAMPLES }, (_, k) => (HORIZON * k) / (SAMPLES - 1));
-    return Object.entries(responses(system, state.values, state.response, times)).flatMap(
-      ([name, values]) => {
-        const [factor, unit] = scaleOf(system.units[name]);
-        const at = values.reduce((a, v, k) => (Math.abs(v) > Math.abs(values[a]) ? k : a), 0);
-        const settled = settledAt(values, times);
-        return [
-          row(`${name}, largest`, `${number(values[at] * factor, 3)} ${unit}`, `${number(times[at], 3)} s`),
-          row(
-            `${name} settles`,
-            settled === null ? `not within ${HORIZON} s` : `${number(settled, 3)} s`,
-            '',
-          ),
-        ];
-      },
-    );
-  }
-
-  /** @param {Pole[]} poles */
-  #margins(poles) {
-    const { system, state } = this.bench;
-    const found = margins(system, state.values, state.what);
-    if (!found) return [];
-    const at = (/** @type {Crossing} */ { omega }) => `${number(omega, 3)} rad/s`;
-    const of = (/** @type {Crossing} */ { omega }) => (omega > 0 ? nearestMode(poles, omega) : 'slow');
-    const phase = nearestFirst(found.phase, ({ degrees }) => degrees);
-    const gain = nearestFirst(found.gain, ({ dB }) => dB);
-    return [
-      ...phase.map((m) => row(`${of(m)}: phase margin`, `${signed(m.degrees, 3)}°`, at(m))),
-      ...phase.map((m) => row(`${of(m)}: delay margin`, `${number(m.delay, 3)} s`, at(m))),
-      ...gain.map((m) => row(`${of(m)}: gain margin`, `${signed(m.dB, 3)} dB`, at(m))),
-    ];
+    set(this.limits, note);
   }
 }
 
-/** @param {string} what @param {string} value @param {string} at */
-const row = (what, value, at) =>
-  element('tr', {}, element('th', { scope: 'row' }, what), element('td', {}, value), element('td', {}, at));
+/** @param {string} name @param {Asked} asked */
+const emptyRow = (name, asked) =>
+  element(
+    'tr',
+    { 'data-criterion': name },
+    element('th', { scope: 'row' }, ...labelOf(name, asked)),
+    ...['value', 'asked', 'verdict'].map(() => element('td')),
+  );

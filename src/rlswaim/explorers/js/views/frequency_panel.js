@@ -4,13 +4,13 @@ import { contextOf } from '../drawing/context.js';
 import { sampleOf } from '../drawing/frequency_axes.js';
 import { boxesOf, drawFrequencies, heightOfBoxes, placed } from '../drawing/frequency_pictures.js';
 import { curveAt, frequencyAt } from '../drawing/frequency_spots.js';
+import { number } from '../drawing/numbers.js';
 import { cutLoop, cutMargins } from '../maths/cut_loop.js';
 import { frequencyResponse, sampleAt } from '../maths/frequency_response.js';
 import { modeAt, modesOf } from '../maths/loop_modes.js';
 import { button, element, panel, picture, select, set } from '../page/elements.js';
 import { crossingsOf, marksOfMargins, namedMarginWords, sampleWords } from '../page/margin_names.js';
 import { movable, movableByKeys } from '../page/movable_point.js';
-import { number } from '../page/numbers.js';
 import { download, fileName, svgOf } from '../page/take_away.js';
 import { AxisSpot } from './axis_spot.js';
 
@@ -197,7 +197,7 @@ export class FrequencyPanel {
     const { running, gain } = this.cut;
     if (!this.frequencies)
       return `${running} = ${number(gain)}: nothing is fed back, so there is no loop to cut.`;
-    const rest = this.bench.system.vehicle === undefined ? 'rest' : 'rigid body';
+    const rest = this.bench.system.loop ? 'rest' : 'rigid body';
     return namedMarginWords(
       this.margins,
       this.cut.isStable,

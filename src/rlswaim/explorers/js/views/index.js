@@ -8,6 +8,7 @@ import { render as ascent } from './ascent.js';
 import { render as bentVehicle } from './bent_vehicle.js';
 import { render as comparison } from './comparison.js';
 import { render as coupledVehicle } from './coupled_vehicle.js';
+import { render as frozenPoles } from './frozen_poles.js';
 import { render as movingLoop } from './moving_loop.js';
 import { render as ownLoop } from './own_loop.js';
 import { render as peakBound } from './peak_bound.js';
@@ -22,6 +23,7 @@ const VIEWS = {
   'bent-vehicle': bentVehicle,
   comparison,
   'coupled-vehicle': coupledVehicle,
+  'frozen-poles': frozenPoles,
   'moving-loop': movingLoop,
   'own-loop': ownLoop,
   'peak-bound': peakBound,

@@ -4,13 +4,14 @@ import { cameraOf, fitted, insetOf, windowOf, withinReach, zoomed } from '../dra
 import { contextOf } from '../drawing/context.js';
 import { drawLocus } from '../drawing/locus_pictures.js';
 import { nearestOn, nearestPole } from '../drawing/nearest.js';
+import { number } from '../drawing/numbers.js';
+import { requiredInZ, requiredRegion } from '../drawing/required_region.js';
 import { gainAt } from '../maths/gain_at.js';
 import { rootLocus } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
-import { regionOf } from '../maths/requirements.js';
+import { regionInZ, regionOf } from '../maths/requirements.js';
 import { button, element, group, press, set, symbol } from '../page/elements.js';
 import { movable, movableByKeys, placeOn } from '../page/movable_point.js';
-import { number } from '../page/numbers.js';
 import { groundOf, middleOf, windowKeys, zoomByWheel } from '../page/window_gestures.js';
 import { LocusTip } from './locus_tip.js';
 import { PoleButtons } from './pole_buttons.js';
@@ -213,7 +214,9 @@ export class LocusPlane {
       printed: state.isDesign(printed) && state.isOwnVehicle ? roots : [],
       cloud: this.bench.vehicle.cloud.points,
       selected: this.bench.selected(closed),
-      region: regionOf(state.asked),
+      region: state.period
+        ? requiredInZ(regionInZ(state.asked, state.period))
+        : requiredRegion(regionOf(state.asked)),
       inset: this.inset,
       discrete: Boolean(system.loop?.dt),
     };

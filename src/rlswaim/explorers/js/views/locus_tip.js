@@ -1,6 +1,7 @@
 // What the pointer reads off a root locus: the branch, the value of what runs, frequency and damping.
+
+import { number } from '../drawing/numbers.js';
 import { element, symbol } from '../page/elements.js';
-import { number } from '../page/numbers.js';
 
 /** @import { View } from '../types.d.ts' */
 /** @import { Place } from '../drawing/nearest.js' */

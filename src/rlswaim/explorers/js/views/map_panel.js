@@ -3,11 +3,11 @@ import { fitted, windowOf, withinReach } from '../drawing/camera.js';
 import { contextOf } from '../drawing/context.js';
 import { drawMap } from '../drawing/locus_pictures.js';
 import { nearestOn, nearestPole } from '../drawing/nearest.js';
+import { number } from '../drawing/numbers.js';
 import { poleMapping } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
 import { element, panel, picture, select, set } from '../page/elements.js';
 import { movable } from '../page/movable_point.js';
-import { number } from '../page/numbers.js';
 import { inSlices, slice } from '../page/slices.js';
 
 /** @import { NamedRoots, Point, View } from '../types.d.ts' */

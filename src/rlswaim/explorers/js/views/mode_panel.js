@@ -2,9 +2,9 @@
 // of each.
 import { drawBent, STILL_PHASES } from '../drawing/bent_shape.js';
 import { contextOf } from '../drawing/context.js';
+import { complex, number } from '../drawing/numbers.js';
 import { modeShape } from '../maths/mode_shape.js';
 import { button, element, panel, picture, press, select, set } from '../page/elements.js';
-import { complex, number } from '../page/numbers.js';
 import { pace } from '../page/verdict.js';
 
 /** @import { NamedRoots } from '../types.d.ts' */

@@ -3,10 +3,10 @@
 import { windowOf } from '../drawing/camera.js';
 import { contextOf } from '../drawing/context.js';
 import { drawLocus } from '../drawing/locus_pictures.js';
+import { number } from '../drawing/numbers.js';
 import { rootLocus } from '../maths/locus.js';
 import { addressWith, inLab } from '../page/address.js';
 import { button, element, picture, set, symbol } from '../page/elements.js';
-import { number } from '../page/numbers.js';
 import { onThemeChange, themeOf } from '../page/theme.js';
 import { VerdictLine, verdict } from '../page/verdict.js';
 

@@ -1,4 +1,5 @@
 // The workbench for a loop that a reader types or pastes.
+import { withCompensator } from '../page/compensator_words.js';
 import { button, element, group, set } from '../page/elements.js';
 import { IN_S } from '../page/words_in_s.js';
 import { wordsInZ } from '../page/words_in_z.js';
@@ -82,17 +83,17 @@ export class OwnLoop extends Workbench {
   }
 
   #renew() {
-    this.known = this.system;
-    const { loop } = this.system;
+    this.known = this.state.base;
+    const { loop, branches } = this.known;
     this.words = loop.dt ? wordsInZ(loop.dt) : IN_S;
-    return this.system.branches;
+    return withCompensator(branches);
   }
 
   prepare() {
     const state = /** @type {OwnLoopState} */ (this.state);
     state.update();
-    if (this.known !== this.system) this.page.recolor(this.#renew());
-    this.field.show(state.model.get('loop'), state.wrong, formOf(this.system));
+    if (this.known !== state.base) this.page.recolor(this.#renew());
+    this.field.show(state.model.get('loop'), state.wrong, formOf(state.base));
     const known = this.system.presets.find((_, i) => state.isDesign(i));
     set(this.case, known?.label ?? '');
   }

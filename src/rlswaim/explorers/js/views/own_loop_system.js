@@ -1,9 +1,13 @@
 // What the workbench draws of a loop that a reader gave: the same record that Python sends of a control
 // system.
+
+import { number } from '../drawing/numbers.js';
 import { breakAways } from '../maths/break_aways.js';
+import { BRANCH } from '../maths/compensated.js';
+import { compensatedLoop } from '../maths/compensated_loop.js';
+import { isProper } from '../maths/compensator.js';
 import { crossings, IMAGINARY_AXIS, UNIT_CIRCLE } from '../maths/crossings.js';
 import { factored } from '../maths/factored_loop.js';
-import { number } from '../page/numbers.js';
 import { givenRoots } from '../reading/given_loop.js';
 import { readLoop } from '../reading/loop_text.js';
 
@@ -68,20 +72,38 @@ export function systemOf(payload, text) {
   const loop = known
     ? { ...known, D: Float64Array.from(known.D), N: Float64Array.from(known.N) }
     : givenRoots(given);
-  const { poles, D, N } = loop;
+  const { poles } = loop;
   const names = poles.x.map((x, i) => nameOf(x, poles.y[i], Boolean(loop.dt)));
   const colors = /** @type {string[]} */ (payload.colors);
   return /** @type {any} */ ({
     ...payload,
     given,
-    loop,
-    terms: [
-      { factors: [], coefficients: D },
-      { factors: ['k'], coefficients: N },
-    ],
-    poles: poles.x.map((re, i) => ({ re, im: poles.y[i], branch: names[i] })),
+    ...closedOf(loop, (i) => names[i]),
     branches: Object.fromEntries([...new Set(names)].map((name, i) => [name, colors[i % colors.length]])),
-    running: { k: { magnitudes: magnitudesOf(loop), signed: true } },
     durations: DURATIONS_OF_ANY,
   });
+}
+
+/** 1 + k N/D as a workbench takes it. @param {GivenRoots} loop @param {(pole: number) => string} nameAt */
+const closedOf = (loop, nameAt) => ({
+  loop,
+  terms: [
+    { factors: [], coefficients: loop.D },
+    { factors: ['k'], coefficients: loop.N },
+  ],
+  poles: loop.poles.x.map((re, i) => ({ re, im: loop.poles.y[i], branch: nameAt(i) })),
+  running: { k: { magnitudes: magnitudesOf(loop), signed: true } },
+});
+
+/**
+ * The system with a compensator in series with its loop; itself without one, or with one that cannot be
+ * built.
+ * @param {System} system
+ * @param {import('../maths/compensator.js').Compensator | null} compensator
+ * @returns {System}
+ */
+export function inSeries(system, compensator) {
+  if (!compensator || !isProper(compensator)) return system;
+  const loop = compensatedLoop(system.loop, compensator);
+  return { ...system, ...closedOf(loop, (i) => system.poles[i]?.branch ?? BRANCH) };
 }

@@ -1,12 +1,12 @@
 // The least peak of the sensitivity over the station of a gyro, and the poles and zeros that set it.
 import { contextOf } from '../drawing/context.js';
 import { cross, label, line, mark, ring } from '../drawing/marks.js';
+import { complex, number } from '../drawing/numbers.js';
 import { Plane } from '../drawing/plane.js';
 import { sPlane } from '../drawing/s_plane.js';
 import { frameOf, viewOf } from '../drawing/view.js';
 import { bound, overBand } from '../maths/peak_bound.js';
 import { element, legend, picture, set } from '../page/elements.js';
-import { complex, number } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { simple } from './simple_view.js';
 

@@ -1,6 +1,7 @@
 // Where the keyboard finds the poles of a locus: a button over the mark of each pole above the axis.
+
+import { complex } from '../drawing/numbers.js';
 import { button, element } from '../page/elements.js';
-import { complex } from '../page/numbers.js';
 
 /** @import { Roots, View } from '../types.d.ts' */
 /** @typedef {{ node: HTMLButtonElement, hidden: boolean, px: number, py: number }} Handle */

@@ -2,7 +2,6 @@
 import { isWindow } from '../drawing/camera.js';
 import { MOST } from '../maths/compensator.js';
 import { leftOut } from '../page/address_values.js';
-import { compensatorFrom } from '../page/compensator_text.js';
 import { askedFrom } from '../page/requirement_text.js';
 import { deskFrom } from './desk_state.js';
 import { DURATIONS, GUSTS } from './excitations.js';
@@ -54,8 +53,8 @@ export function shownFrom(state, texts) {
     take(name, (text) => (text !== '' && isSensible(Number(text)) ? Number(text) : undefined));
   take('locus', (text) => state.loci.find(({ key }) => key === text)?.key);
   take('frequency', (text) => PICTURES.find(([kind]) => kind === text)?.[0]);
-  take('compensator', (text) => (compensatorFrom(text, state.places) ? text : undefined));
-  take('requirements', (text) => (askedFrom(text) ? text : undefined));
+  take('compensator', (text) => (state.compensatorFrom(text) ? text : undefined));
+  take('requirements', (text) => (askedFrom(text, Boolean(state.period)) ? text : undefined));
   take('window', windowFrom);
   take('desk', deskFrom);
   const { magnify, window, ...shown } = found;

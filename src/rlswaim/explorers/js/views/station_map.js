@@ -1,11 +1,11 @@
 // The map over sensor and jet stations: computed beside the page, coarse first, drawn as it comes.
 import { contextOf } from '../drawing/context.js';
+import { number, signed } from '../drawing/numbers.js';
 import { Plane } from '../drawing/plane.js';
 import { frameOf, viewOf } from '../drawing/view.js';
 import { abscissaAt, planOf, rootsAt, STATIONS } from '../maths/abscissa.js';
 import { element, legend, picture, set } from '../page/elements.js';
 import { movable, movableByKeys } from '../page/movable_point.js';
-import { number, signed } from '../page/numbers.js';
 import { ValueTable } from '../page/value_table.js';
 import { VerdictLine } from '../page/verdict.js';
 import { MapCalculator } from './map_calculator.js';

@@ -1,6 +1,6 @@
 // The marks of the station map and of its color scale.
 import { plus, ring } from '../drawing/marks.js';
-import { number, signed } from '../page/numbers.js';
+import { number, signed } from '../drawing/numbers.js';
 import { END, shareOf } from './station_pixels.js';
 
 /** @import { Layer } from '../drawing/plane.js' */

@@ -31,8 +31,9 @@ export class TakeAway {
 
   #call() {
     const { system, state } = this.bench;
-    if (system.given) return pythonOfLoop(system.given, state.values.k);
-    return pythonWith(system, state.values, state.inLoop === state.system ? null : state.compensator);
+    const compensator = state.inLoop === state.system ? null : state.compensator;
+    if (system.given) return pythonOfLoop(system.given, state.values.k, compensator);
+    return pythonWith(system, state.values, compensator);
   }
 
   /** @param {string} words */

@@ -98,13 +98,12 @@ export class Workbench {
     const poles = panel('poles', 'Closed-loop poles', () => {}, scrolling('pole table', this.table.node));
     for (const { node } of [poles, this.map, this.responses]) node.open = true;
     const compensator = this.state.places.length ? [this.compensator] : [];
-    const asked = this.system.loop?.dt ? [] : [this.requirements];
-    const criteria = this.system.loop ? [] : [this.criteria];
+    const criteria = this.system.criteria ? [this.criteria] : [];
     const panels = [
       poles,
       this.vehicle,
       ...compensator,
-      ...asked,
+      this.requirements,
       ...this.parts,
       ...criteria,
       this.takeAway,

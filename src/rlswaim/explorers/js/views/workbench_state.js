@@ -1,6 +1,8 @@
 // The state of a workbench: its parameters, and what is shown of the system under them.
 import { systemAt } from '../maths/changed_vehicle.js';
 import { compensated } from '../maths/compensated.js';
+import { kindsOf } from '../maths/compensator.js';
+import { periodOf } from '../maths/cut_loop.js';
 import { isOwnVehicle } from '../maths/vehicle_data.js';
 import { compensatorFrom } from '../page/compensator_text.js';
 import { holds, ParameterState } from '../page/parameter_state.js';
@@ -116,7 +118,7 @@ export class WorkbenchState extends ParameterState {
 
   /** Gains whose signal a compensator may go through: those of the loops. @returns {string[]} */
   get places() {
-    if (this.base.loop) return []; // a loop that a reader gave is its own
+    if (this.base.loop) return ['k']; // a loop that a reader gave has this gain alone
     const gains = this.loci
       .map(({ what }) => what.running)
       .filter((name) => this.system.running[name].magnitudes);
@@ -132,7 +134,7 @@ export class WorkbenchState extends ParameterState {
 
   /** What is asked of the loop. */
   get asked() {
-    return askedFrom(this.shown.requirements) ?? {};
+    return askedFrom(this.shown.requirements, Boolean(this.period)) ?? {};
   }
 
   /** The system with the compensator in its loop. @returns {System} */
@@ -145,9 +147,24 @@ export class WorkbenchState extends ParameterState {
     const text = this.shown.compensator;
     const { kept, system: without } = this;
     if (kept?.text === text && kept.without === without) return;
-    const compensator = (text && compensatorFrom(text, this.places)) || null;
+    const compensator = (text && this.compensatorFrom(text)) || null;
     /** @type {{ text: string, compensator: Compensator | null, without: System, system: System }} */
-    this.kept = { text, compensator, without, system: compensated(without, compensator) };
+    this.kept = { text, compensator, without, system: this.inSeries(without, compensator) };
+  }
+
+  /** The system with a compensator in it. @param {System} system @param {Compensator | null} compensator */
+  inSeries(system, compensator) {
+    return compensated(system, compensator);
+  }
+
+  /** The compensator that a text gives, undefined where it fits not here. @param {string} text */
+  compensatorFrom(text) {
+    return compensatorFrom(text, this.places, kindsOf(Boolean(this.period)));
+  }
+
+  /** Time between samples (s, 1 where it is not told), 0 in continuous time. @returns {number} */
+  get period() {
+    return periodOf(this.base);
   }
 
   /** The station that runs in the pole map. @returns {string} */
