@@ -78,6 +78,44 @@ test('a triple pole is left on three branches', () => {
   for (const [i, [x, y]] of found.entries()) assert.ok(Math.hypot(x - wanted[i][0], y - wanted[i][1]) < 1e-9);
 });
 
+test('roots of very different size: the squares of the terms overflow, the branches do not', () => {
+  const random = seeded(10);
+  for (const far of [3.5e5, 1e7, 1e9]) {
+    const near = randomPoints(random, 28);
+    const loop = {
+      poles: { x: [far, ...near.x], y: [0, ...near.y] },
+      zeros: { x: [], y: [] },
+      gain: 1,
+    };
+    const { D, N } = polynomials(loop);
+    const curve = gainCurve({ D, N }, 1, []);
+    let solved = 0;
+    const counted = { ...curve, fill: (t, c) => (solved++, curve.fill(t, c)) };
+    const nodes = gainNodes([1e-3, 1e3], []);
+    const points = trace(counted, nodes, loop.poles, VIEW);
+    assert.ok(solved < 20 * nodes.length, `${solved} solutions for ${nodes.length} nodes`);
+    for (const { x } of points) {
+      assert.ok(Array.from(x).every(Number.isFinite));
+      assert.ok(Math.abs(x[0] / far - 1) < 1e-9);
+    }
+  }
+});
+
+test('a trace whose roots are never found ends', () => {
+  let solved = 0;
+  const random = seeded(11);
+  const curve = {
+    fill: (_, c) => (solved++, c.fill(1)),
+    middle: (a, b) => (a + b) / 2,
+    solve: (_, x, y) => {
+      for (let i = 0; i < x.length; i++) [x[i], y[i]] = [6 * random() - 3, 6 * random()];
+      return 80 * x.length;
+    },
+  };
+  trace(curve, [0, 1, 2], randomPoints(random, 30), VIEW);
+  assert.ok(solved > 100 && solved < 400, `${solved}`);
+});
+
 test('101 branches of a long delay', () => {
   const a = Math.exp(-0.001);
   const poles = { x: [a, ...new Array(100).fill(0)], y: new Array(101).fill(0) };

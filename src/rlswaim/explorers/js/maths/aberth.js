@@ -15,7 +15,7 @@ let moving = new Uint8Array(32);
  * rounding allows, or after a step shorter than `close` times the distance to its neighbor: what is left is
  * then smaller by close^2 again. Where Aberth's correction has a pole a step would lead anywhere, and powers
  * of it overflow: none is longer than four times the size of the largest point or, where that is larger, of
- * the geometric mean of all roots.
+ * the geometric mean of all roots. Returns how often a point was moved.
  * @param {Coefficients} c
  * @param {number} n
  * @param {Numbers} x
@@ -33,13 +33,16 @@ export function aberth(c, n, x, y, close = 1e-6) {
   const mean = Math.abs(c[0] / c[n]) ** (2 / n);
   const longestSquare = 16 * Math.max(largestSquare, mean) || Infinity;
   let left = n;
+  let moves = 0;
   for (let sweep = 0; left > 0 && sweep < SWEEPS; sweep++) {
+    moves += left;
     for (let i = 0; i < n; i++) {
       if (rests[i] === 1 || !moved(c, n, x, y, i, close, longestSquare)) continue;
       rests[i] = 1;
       left--;
     }
   }
+  return moves;
 }
 
 // Moves point i by one step, 1 / (p'/p - sum of 1/(z_i - z_j)). Returns whether it rests from now on.
@@ -71,7 +74,15 @@ function moved(c, n, x, y, i, close, longestSquare) {
     bound = bound * size + Math.abs(c[k]);
   }
   let q = px * px + py * py;
-  if (q <= EPS * EPS * bound * bound) return true;
+  if (!(q < Infinity)) {
+    // All beside the size of the terms, so that no square overflows; nothing tells where the terms do.
+    px /= bound;
+    py /= bound;
+    dx /= bound;
+    dy /= bound;
+    q = px * px + py * py;
+    if (!(q > EPS * EPS)) return true;
+  } else if (q <= EPS * EPS * bound * bound) return true;
   let sx = (dx * px + dy * py) / q;
   let sy = (dy * px - dx * py) / q;
   let gap = Infinity;

@@ -11,7 +11,8 @@ import { distance, EPS } from './polynomials.js';
 const SWEEPS = 80;
 
 /**
- * Moves n points to the n roots at the gain k, all at once, as `aberth` does for coefficients.
+ * Moves n points to the n roots at the gain k, all at once, as `aberth` does for coefficients. Returns how
+ * often a point was moved.
  * @param {Factors} loop
  * @param {number} k
  * @param {Numbers} x
@@ -20,8 +21,15 @@ const SWEEPS = 80;
 export function aberthOfFactors(loop, k, x, y, close = 1e-6) {
   const n = x.length;
   const rests = new Uint8Array(n);
-  for (let sweep = 0; sweep < SWEEPS && rests.includes(0); sweep++)
-    for (let i = 0; i < n; i++) if (!rests[i] && moved(loop, k, x, y, i, close)) rests[i] = 1;
+  let moves = 0;
+  for (let sweep = 0; sweep < SWEEPS && rests.includes(0); sweep++) {
+    for (let i = 0; i < n; i++) {
+      if (rests[i]) continue;
+      moves++;
+      if (moved(loop, k, x, y, i, close)) rests[i] = 1;
+    }
+  }
+  return moves;
 }
 
 /**

@@ -12,14 +12,17 @@ import { tracePoint } from './trace_points.js';
 /** @typedef {import('./break_aways.js').BreakAway} BreakAway */
 /**
  * fill puts the polynomial at t into c, middle returns the place between two t, and at the breaks roots meet;
- * solve moves points to the roots at t, where something tells these better than the polynomial does.
+ * solve moves points to the roots at t, where something tells these better than the polynomial does, and
+ * returns how often it moved one.
  * @typedef {{ fill: (t: number, c: Float64Array) => void, middle: (a: number, b: number) => number,
- *   breaks?: BreakAway[], solve?: (t: number, x: Numbers, y: Numbers, close: number) => void }} Curve
+ *   breaks?: BreakAway[], solve?: (t: number, x: Numbers, y: Numbers, close: number) => number }} Curve
  */
 
 const DEEPEST = 28;
-// A trace solves at so many values at most; what is left then is drawn as it is.
-const MOST = 4000;
+// The most work of a trace, in terms of the polynomial that are evaluated; what is left then is drawn as it
+// is. A locus of order 30 takes a hundredth of it, one of 101 branches an eighth.
+const MOST = 2e7;
+const EACH = 5000; // what a solution costs besides, in the same unit
 
 /** Traces a curve of n roots stretch by stretch. */
 export class Tracer {
@@ -70,12 +73,11 @@ export class Tracer {
     }
     curve.fill(t, c);
     if (!a.apart) spreadMultiple(c, a, x, y);
-    if (curve.solve) curve.solve(t, x, y, 1e-3);
-    else aberth(c, n, x, y, 1e-3);
+    const moves = curve.solve ? curve.solve(t, x, y, 1e-3) : aberth(c, n, x, y, 1e-3);
     settle(x, y);
     anchor(c, x, y);
     if (atNode) meet(curve.breaks ?? [], t, x, y);
-    this.budget--;
+    this.budget -= EACH + n * (moves + n);
     return tracePoint(t, x, y);
   }
 
