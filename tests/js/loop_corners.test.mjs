@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { maths } from './maths.mjs';
-import { expanded, polynomials } from './random.mjs';
+import { expanded, polynomials, seeded } from './random.mjs';
 
 const { breakAways } = await maths('break_aways');
 const { UNIT_CIRCLE, crossings } = await maths('crossings');
@@ -145,6 +145,23 @@ test('more than two branches meet in one place', () => {
   assert.equal(found.length, 1);
   near(found[0].gain, 1);
   near(found[0].x, -2);
+});
+
+test('three branches meet in one place, however rounding splits it', () => {
+  const random = seeded(3);
+  const tenth = (most) => Math.round(most * random() * 10 + 1) / 10;
+  for (let i = 0; i < 100; i++) {
+    const [a, gain, other] = [tenth(4), tenth(5), tenth(1) + 5];
+    const N = Float64Array.of(tenth(10), tenth(1), i % 2, 0, 0);
+    const D = expanded(at(-a, -a, -a, -other)).map((v, k) => v - gain * N[k]);
+    const found = breakAways(factored({ D, N })).filter(({ x, y }) => Math.hypot(x + a, y) < 1e-3 * a);
+    assert.deepEqual(
+      found.map(({ count }) => count),
+      [3],
+      JSON.stringify({ a, gain, other, N: [...N], found }),
+    );
+    near(found[0].gain, gain, 1e-9);
+  }
 });
 
 test('complex break-aways have a real gain', () => {

@@ -14,6 +14,8 @@ import { distance, EPS, meanOf } from './polynomials.js';
  * @typedef {{ x: number[], y: number[], weight: number[] }} Terms
  */
 
+const ROUND = 64; // roundings of a term that a sum of zero may be off by
+
 /**
  * The break-aways of a loop: there d(ln k)/ds = Σ 1/(s - poles) - Σ 1/(s - zeros) = 0. A multiple open-loop
  * pole is one too, at the gain 0. Of a conjugate pair the upper one stands for both. One whose gain rounding
@@ -32,7 +34,7 @@ export function breakAways(loop) {
     y: roots.map(({ y }) => y),
     weight: roots.map(({ count }, i) => (i < poles.length ? count : -count)),
   };
-  const met = gathered(terms, stationaryPoints(terms));
+  const met = gathered(terms, stationaryPoints(terms), loop.doubt);
   return [...start, ...met.flatMap((point) => withGain(loop, point))];
 }
 
@@ -156,9 +158,11 @@ function moved(terms, x, y, i) {
 /**
  * @param {Terms} terms
  * @param {{ x: number[], y: number[] }} points
+ * @param {FactoredLoop['doubt']} doubt
  * @returns {Root[]}
  */
-function gathered(terms, { x, y }) {
+function gathered(terms, { x, y }, doubt) {
+  const least = ROUND * terms.x.length * EPS;
   const left = new Set(x.keys());
   /** @type {Root[]} */
   const found = [];
@@ -169,7 +173,8 @@ function gathered(terms, { x, y }) {
     left.delete(i);
     const [mx, my] = near.length === 1 ? [x[i], y[i]] : [x, y].map((v) => meanOf(v, near));
     const up = near.some((j) => y[j] * my <= 0) ? 0 : my;
-    if (near.length > 1 && isStationary(terms, mx, up)) {
+    const spread = Math.max(...near.map((j) => distance(x[j] - mx, y[j] - up)));
+    if (near.length > 1 && slopeAt(terms, mx, up, spread) <= least + doubt(mx, up)) {
       for (const j of near) left.delete(j);
       found.push({ x: mx, y: up, count: near.length });
     } else found.push({ x: x[i], y: y[i], count: 1 });
@@ -178,18 +183,25 @@ function gathered(terms, { x, y }) {
 }
 
 /**
+ * The sum at x + jy, or what it changes over the spread of points about it where this is more, beside the
+ * sizes of its terms.
  * @param {Terms} terms
  * @param {number} x
  * @param {number} y
+ * @param {number} spread
  */
-function isStationary(terms, x, y) {
-  let [re, im, size] = [0, 0, 0];
+function slopeAt(terms, x, y, spread) {
+  let [re, im, slopeRe, slopeIm, size] = [0, 0, 0, 0, 0];
   for (let k = 0; k < terms.x.length; k++) {
     const [dx, dy] = [x - terms.x[k], y - terms.y[k]];
-    const over = terms.weight[k] / (dx * dx + dy * dy);
+    const square = dx * dx + dy * dy;
+    const over = terms.weight[k] / square;
     re += dx * over;
     im -= dy * over;
+    slopeRe += ((dx * dx - dy * dy) * over) / square;
+    slopeIm -= (2 * dx * dy * over) / square;
     size += Math.abs(over) * distance(dx, dy);
   }
-  return distance(re, im) <= 8 * EPS * size;
+  const change = distance(slopeRe, slopeIm) * spread;
+  return Math.max(distance(re, im), change) / size;
 }
