@@ -62,6 +62,13 @@ MOVING = """return [...root.querySelectorAll('[type=range]')].map((slider) => {
 OUTPUT = "return document.querySelector('[data-explorer=moving-loop] output').textContent"
 MAKES = re.compile(r"\bexplorers\.\w+\(|\brl\.explore\(")
 TOLD = FIND + "return root.querySelector('table').innerText"
+MAP = "canvas[data-plane=stations]"
+SPOT = f"""const canvas = document.querySelector('{MAP}');
+canvas.scrollIntoView({{ block: 'center' }});
+const {{ left, top, width, height }} = canvas.getBoundingClientRect();
+return [Math.round(left + .6 * width), Math.round(top + .3 * height)];"""
+COMPLETE = FIND + "return root.dataset.step === 'complete'"
+VERDICT = FIND + "return root.querySelector('.verdict').innerText"
 
 
 class Listening(Handler):
@@ -177,3 +184,20 @@ def test_the_loop_on_the_first_page(other: Driven, listening: str):
     other.run("document.querySelector('[data-explorer=moving-loop] a').click()")
     until(lambda: other.run(READY, "rate-attitude"), other, "the workbench of its link")
     assert other.run(WRONG) == []
+
+
+def test_the_map_of_pairs(other: Driven, listening: str):
+    """A click and a key each pick a pair, which the workbench beside the map takes and its link keeps."""
+    name, address = "station-map", f"{listening}/{PAGES['station-map']}"
+    shown(other, address, name)
+    spot = other.run(SPOT)
+    until(lambda: other.run(COMPLETE, name), other, "the whole map")
+    poles, verdict = other.run(TOLD, "dual-actuation"), other.run(VERDICT, name)
+    other.drag(spot, spot)
+    until(lambda: other.run(TOLD, "dual-actuation") != poles, other, "the poles of the pair that was clicked")
+    until(lambda: other.run(VERDICT, name) != verdict, other, "its verdict on the map")
+    poles = other.run(TOLD, "dual-actuation")
+    for key in ("ARROW_RIGHT", "ENTER"):
+        other.press(MAP, key)
+    until(lambda: other.run(TOLD, "dual-actuation") != poles, other, "the poles of the pair beside it")
+    assert_link_shows(other, address, "dual-actuation")
