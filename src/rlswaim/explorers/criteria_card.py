@@ -18,7 +18,7 @@ from rlswaim.vehicle.booster import Booster, swaim_booster
 from rlswaim.vehicle.equations import JET_STATION, PerturbationEquations
 from rlswaim.vehicle.other_data import with_data
 
-STATIONS = (MIDDLE,)
+STATIONS = (100.0, MIDDLE, 300.0)
 """Where the bending moment is asked (ft)."""
 BENDING = {"bending 1": "omega_1", "bending 2": "omega_2"}
 """The bending modes by name, and the parameter that is the frequency of each (rad/s)."""
