@@ -90,7 +90,11 @@ test('roots of very different size: the squares of the terms overflow, the branc
     const { D, N } = polynomials(loop);
     const curve = gainCurve({ D, N }, 1, []);
     let solved = 0;
-    const counted = { ...curve, fill: (t, c) => (solved++, curve.fill(t, c)) };
+    const fill = (t, c) => {
+      solved++;
+      curve.fill(t, c);
+    };
+    const counted = { ...curve, fill };
     const nodes = gainNodes([1e-3, 1e3], []);
     const points = trace(counted, nodes, loop.poles, VIEW);
     assert.ok(solved < 20 * nodes.length, `${solved} solutions for ${nodes.length} nodes`);
@@ -105,7 +109,10 @@ test('a trace whose roots are never found ends', () => {
   let solved = 0;
   const random = seeded(11);
   const curve = {
-    fill: (_, c) => (solved++, c.fill(1)),
+    fill: (_, c) => {
+      solved++;
+      c.fill(1);
+    },
     middle: (a, b) => (a + b) / 2,
     solve: (_, x, y) => {
       for (let i = 0; i < x.length; i++) [x[i], y[i]] = [6 * random() - 3, 6 * random()];

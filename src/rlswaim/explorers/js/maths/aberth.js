@@ -56,13 +56,9 @@ export function aberth(c, n, x, y, close = 1e-6) {
  * @param {number} longestSquare
  */
 function moved(c, n, x, y, i, close, longestSquare) {
-  const zx = x[i];
-  const zy = y[i];
+  const [zx, zy] = [x[i], y[i]];
   const size = Math.sqrt(zx * zx + zy * zy);
-  let px = c[n];
-  let py = 0;
-  let dx = 0;
-  let dy = 0;
+  let [px, py, dx, dy] = [c[n], 0, 0, 0];
   let bound = Math.abs(px);
   for (let k = n - 1; k >= 0; k--) {
     let t = dx * zx - dy * zy + px;
@@ -76,13 +72,10 @@ function moved(c, n, x, y, i, close, longestSquare) {
   let q = px * px + py * py;
   if (!(q < Infinity)) {
     // All beside the size of the terms, so that no square overflows; nothing tells where the terms do.
-    px /= bound;
-    py /= bound;
-    dx /= bound;
-    dy /= bound;
+    [px, py, dx, dy, bound] = [px / bound, py / bound, dx / bound, dy / bound, 1];
     q = px * px + py * py;
-    if (!(q > EPS * EPS)) return true;
-  } else if (q <= EPS * EPS * bound * bound) return true;
+  }
+  if (!(q > EPS * EPS * bound * bound)) return true;
   let sx = (dx * px + dy * py) / q;
   let sy = (dy * px - dx * py) / q;
   let gap = Infinity;
