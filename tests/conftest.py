@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from chromium import FLAGS, NoChromiumError, find_chromium
-from livepage import LivePage, live
+from livepage import FORMULAS_STAY_TEXT, LivePage, live
 from rlswaim.explorers import Explorer
 from serve import server
 from standin import opened
@@ -82,13 +82,18 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="module")
-def visit(browser: Browser, site: str) -> Callable[[str], Iterator[Visit]]:
-    """Open a page of the book by its path, in a fresh context; the browser resolves no name outside."""
+def visit(browser: Browser, site: str) -> Callable[..., Iterator[Visit]]:
+    """Open a page of the book by its path, in a fresh context; the browser resolves no name outside.
+
+    Where a test looks at no formula these may stay as they are written.
+    """
 
     @contextmanager
-    def opened(path: str) -> Iterator[Visit]:
+    def opened(path: str, formulas: bool = True) -> Iterator[Visit]:
         context = browser.new_context(viewport={"width": 1280, "height": 900})
         page = context.new_page()
+        if not formulas:
+            page.add_init_script(FORMULAS_STAY_TEXT)
         found = Visit(page, [], [])
 
         inside = (f"{site}/", "data:", "blob:")

@@ -182,13 +182,28 @@ class LivePage(NamedTuple):
 @contextmanager
 def live(visit: Callable, name: str, anchor: str = "", at: str = "") -> Iterator[LivePage]:
     """Open a live view on its page or on ``at``; anything asked from outside and any error is a failure."""
-    with visit(f"{at or PAGES[name]}{anchor}") as (page, outside, errors):
+    with visit(f"{at or PAGES[name]}{anchor}", formulas=False) as (page, outside, errors):
         root = page.locator(f"[data-explorer='{name}']").first
         root.wait_for()
         root.scroll_into_view_if_needed()
         panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
         yield LivePage(name, page, root, panel)
         assert (outside, errors) == ([], []), (outside, errors)
+
+
+FORMULAS_STAY_TEXT = """(() => {
+  let settings;
+  Object.defineProperty(globalThis, 'MathJax', {
+    configurable: true,
+    get: () => settings,
+    set(given) {
+      settings = given;
+      if (!given.version) settings.startup = { ...given.startup, typeset: false };
+    },
+  });
+})();
+"""
+"""A script before those of a page: MathJax starts, but sets no formula, which takes half of the time."""
 
 
 def poles_of(rows: Sequence[Row]) -> list[complex]:

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import pytest
 from playwright.sync_api import Page
 
-from livepage import PAGES, WORKBENCHES
+from livepage import FORMULAS_STAY_TEXT, PAGES, WORKBENCHES
 
 CHAPTERS = (*WORKBENCHES, "bent-vehicle")
 SENSELESS = ["", "52", "52_57", "5_57_", "52_99_map", "52_57_map..poles", "1e3_50_map", "a_b_c"]
@@ -41,6 +41,7 @@ def at_desk(browser, site: str, name: str, address: str = "&desk", **size: int) 
     errors: list[str] = []
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
+    page.add_init_script(FORMULAS_STAY_TEXT)
     page.goto(f"{site}/{PAGES[name]}#{name}:{address}")
     page.locator(f"[data-explorer={name}] canvas").first.wait_for()
     page.wait_for_timeout(600)

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from livepage import ON_PAGES, PAGES, library
+from livepage import FORMULAS_STAY_TEXT, ON_PAGES, PAGES, library
 
 BOOK = Path(__file__).parent.parent / "book"
 VIEW = re.compile(r"\b(explorers\.\w+|rl\.explore)\(")
@@ -164,7 +164,7 @@ def opened(browser, site: str, path: str, errors: list[str], address: str = "") 
     """Open a page that keeps its long tasks, and wait until each of its views has been drawn."""
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     page.set_default_timeout(120_000)
-    page.add_init_script(WATCH)
+    page.add_init_script(FORMULAS_STAY_TEXT + WATCH)
     page.on("pageerror", lambda error: errors.append(f"{page.url[:300]}: {error}"))
     page.on("console", lambda line: line.type == "error" and errors.append(f"{page.url[:300]}: {line.text}"))
     page.on("dialog", lambda dialog: (errors.append(f"dialog: {page.url[:300]}"), dialog.dismiss()))
@@ -231,10 +231,13 @@ def longest_while_opening(browser, site, path, errors, address) -> float:
 @pytest.mark.parametrize("path", ON_PAGES)
 def test_addresses_that_a_page_opens_with(browser, site, errors, path):
     """To open a page takes its time on a busy machine: so long may a task be with an address too."""
+    most = LONGEST
     for address in addresses(path, COUNT)[::FRESH]:
         for _ in range(TRIES):
             longest = longest_while_opening(browser, site, path, errors, address)
-            if longest <= LONGEST or longest <= 1.5 * longest_while_opening(browser, site, path, errors, ""):
+            if longest > most:
+                most = max(most, 1.5 * longest_while_opening(browser, site, path, errors, ""))
+            if longest <= most:
                 break
         else:
             pytest.fail(f"{address}: a task of {longest} ms")

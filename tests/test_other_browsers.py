@@ -10,7 +10,7 @@ from http.server import ThreadingHTTPServer
 import pytest
 
 from conftest import HTML, ROOT
-from livepage import PAGES
+from livepage import FORMULAS_STAY_TEXT, PAGES
 from other_browsers import STARTED, Driven, MissingBrowserError
 from serve import Handler
 
@@ -78,7 +78,7 @@ class Listening(Handler):
         """Answer; a page gets one more line."""
         path = self.path.partition("#")[0]
         if path == "/listen.js":
-            self._answer(LISTEN.encode(), "text/javascript")
+            self._answer((FORMULAS_STAY_TEXT + LISTEN).encode(), "text/javascript")
         elif path.endswith(".html"):
             page = (HTML / path[1:]).read_bytes()
             head, tag, rest = page.partition(b"<head>")
