@@ -238,7 +238,8 @@ def test_no_grid_and_no_last_digit_decides_a_trial(pair, points, off):
     opened, rng = closures.closure_1_open_loop(EQS, loop), np.random.default_rng(pair.case)
     top, bottom = (p[0][0] * (1 + off * rng.uniform(-1, 1, p[0][0].size)) for p in (opened.num, opened.den))
     gains = pair.sign * np.concatenate([[0.0], abs(LARGEST) * np.geomspace(1e-7, 1, points)])
-    found = table_3._trial(pair.case, loop, pair.sign, elastic, rl.root_locus(control.tf(top, bottom), gains))
+    roots = rl.root_locus(control.tf(top, bottom), gains).roots
+    found = table_3._trial(pair.case, loop, pair.sign, elastic, roots)
     assert (found.outcome, found.unstable) == (pair.outcome, pair.unstable)
     assert found.factors == pytest.approx(pair.factors, rel=1e-5, nan_ok=True)
 

@@ -9,7 +9,10 @@ from numpy.typing import NDArray
 
 from rlswaim.edition.printed_closures import final_design
 from rlswaim.loops.closures import JetLoop, closure_1_open_loop
-from rlswaim.rootlocus.locus import RootLocus, root_locus
+from rlswaim.rootlocus.break_aways import break_aways
+from rlswaim.rootlocus.crossings import crossings
+from rlswaim.rootlocus.locus import root_locus
+from rlswaim.rootlocus.open_loop import open_loop
 from rlswaim.source import checks
 from rlswaim.source.tables import column
 from rlswaim.vehicle.coupling import elastic_poles
@@ -85,13 +88,12 @@ def deciding_gains(opened: control.TransferFunction, sizes: Sequence[float], lar
     ndarray, shape (K,)
         Increasing, of both signs (lb s/ft).
     """
-    here = root_locus(opened, [0.0])
-    found = [
-        meeting.gain for meeting in here.break_aways if abs(meeting.point.imag) <= REAL * abs(meeting.point)
-    ]
-    found += [crossing.gain for crossing in here.crossings]
+    loop = open_loop(opened)
+    met = [meeting for meeting in break_aways(loop) if abs(meeting.point.imag) <= REAL * abs(meeting.point)]
+    passed = [*crossings(loop)]
     for size in sizes:
-        found += [crossing.gain for crossing in root_locus(_in_units(opened, size), [0.0]).crossings]
+        passed += crossings(open_loop(_in_units(opened, size)))
+    found = [meeting.gain for meeting in met] + [crossing.gain for crossing in passed]
     return np.unique([gain for gain in found if abs(gain) <= abs(largest)])
 
 
@@ -120,21 +122,33 @@ def trial(eqs: PerturbationEquations, case: int, loop: JetLoop, largest: float) 
     size = abs(checks.real("largest", largest, "trial"))
     opened, elastic = closure_1_open_loop(eqs, loop), elastic_poles(eqs)
     decide = deciding_gains(opened, [abs(pole) for pole in elastic], size)
-    found = []
-    for sign in (1, -1):
-        edges = np.unique(np.concatenate([[0.0], (sign * decide)[sign * decide > 0], [size]]))
-        followed = np.concatenate([[0.0], (edges[:-1] + edges[1:]) / 2, [size]])
-        found.append(_trial(case, loop, sign, elastic, root_locus(opened, sign * followed)))
+    edges = np.unique([-size, *decide, 0.0, size])
+    followed = np.unique([-size, *(edges[:-1] + edges[1:]) / 2, 0.0, size])
+    roots, start = root_locus(opened, followed).roots, int(np.flatnonzero(followed == 0)[0])
+    found = [
+        _trial(case, loop, sign, elastic, way) for sign, way in ((1, roots[start:]), (-1, roots[start::-1]))
+    ]
     return max(found, key=lambda s: (OUTCOMES.index(s.outcome), min(np.nan_to_num(s.factors))))
 
 
-def _trial(case: int, loop: JetLoop, sign: int, elastic: Sequence[complex], locus: RootLocus) -> Trial:
-    """Return the trial for one sign of the gain, from one root set between any two deciding gains."""
-    way = locus.roots[:, [int(np.argmin(np.abs(locus.roots[0] - pole))) for pole in elastic]]
+def _trial(case: int, loop: JetLoop, sign: int, elastic: Sequence[complex], roots: NDArray) -> Trial:
+    """Return the trial for one sign of the gain, from a root set at 0 and one between any two deciding gains.
+
+    Parameters
+    ----------
+    case : int
+    loop : JetLoop
+    sign : int
+    elastic : sequence of complex
+        The elastic poles without the jet (1/s).
+    roots : ndarray of complex, shape (K, n)
+        Continuous branches, from the gain 0 to the largest one.
+    """
+    way = roots[:, [int(np.argmin(np.abs(roots[0] - pole))) for pole in elastic]]
     there = np.logical_and.accumulate(np.abs(way.imag) > REAL * np.abs(way), axis=0)
     factors = np.where(there, np.abs(way) / np.abs(way[0]), np.nan)
     good = np.all(factors[1:] >= 1, axis=1)
-    right = (locus.roots[1:].real > 1e-7).sum(axis=1)  # the root that rests at the origin is none
+    right = (roots[1:].real > 1e-7).sum(axis=1)  # the root that rests at the origin is none
     return Trial(
         case,
         loop.sensor,
