@@ -84,17 +84,3 @@ def test_without_scripts_a_still_and_a_line_stand_in(browser, site, name):
 @every(*PAGES)
 def test_with_scripts_no_still_is_seen(shown):
     assert shown.page.locator("img[alt='Still of the live view']").count() == 0
-
-
-@pytest.mark.parametrize("path", sorted(set(PAGES.values())))
-def test_the_first_view_comes_before_the_formulas(browser, site, path):
-    page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.add_init_script(
-        """addEventListener('rlswaim:drawn', () => {
-             globalThis.formulas ??= document.querySelectorAll('mjx-container').length;
-           }, true);"""
-    )
-    page.goto(f"{site}/{path}")
-    page.wait_for_function("() => document.querySelectorAll('mjx-container').length > 3")
-    assert page.evaluate("formulas") == 0
-    page.close()

@@ -5,12 +5,18 @@ import pytest
 from livepage import PAGES
 
 FIRST = sorted(set(PAGES.values()))
+COUNT_FORMULAS = """addEventListener('rlswaim:drawn', () => {
+  globalThis.formulas ??= document.querySelectorAll('mjx-container').length;
+}, true);"""
 
 
 @pytest.mark.parametrize("path", FIRST)
-def test_the_first_view_is_in_reach(browser, site, path):
+def test_the_first_view_is_in_reach_and_comes_before_the_formulas(browser, site, path):
     page = browser.new_page(viewport={"width": 1280, "height": 800})
+    page.add_init_script(COUNT_FORMULAS)
     page.goto(f"{site}/{path}")
+    page.wait_for_function("() => document.querySelectorAll('mjx-container').length > 3")
+    assert page.evaluate("formulas") == 0
     view = page.locator(".live-view").first
     view.wait_for()
     button = page.locator("a.to-view")

@@ -80,7 +80,7 @@ test('a triple pole is left on three branches', () => {
 
 test('roots of very different size: the squares of the terms overflow, the branches do not', () => {
   const random = seeded(10);
-  for (const far of [3.5e5, 1e7, 1e9]) {
+  for (const far of [3.5e4, 3.5e5, 1e6, 1e7, 1e9]) {
     const near = randomPoints(random, 28);
     const loop = {
       poles: { x: [far, ...near.x], y: [0, ...near.y] },
@@ -95,13 +95,31 @@ test('roots of very different size: the squares of the terms overflow, the branc
       curve.fill(t, c);
     };
     const counted = { ...curve, fill };
-    const nodes = gainNodes([1e-3, 1e3], []);
+    const nodes = gainNodes([1e-3, 1e30], []);
     const points = trace(counted, nodes, loop.poles, VIEW);
     assert.ok(solved < 20 * nodes.length, `${solved} solutions for ${nodes.length} nodes`);
     for (const { x } of points) {
       assert.ok(Array.from(x).every(Number.isFinite));
       assert.ok(Math.abs(x[0] / far - 1) < 1e-9);
     }
+  }
+});
+
+test('coefficients of any size: products of a value and its slope overflow, the roots are found', () => {
+  const falling = [
+    -0.254662, -89439.6, 0.312816, -1.15678e-5, 1.01804e-7, 7.69803e7, 1460.68, -1.95409e-8, 356979,
+    -0.0817849, 4.67819e-8, 2780.95, 1268.54, 5.94439e7, -65101, -2.01927e7, 0.000116616, 1.15429, -4.73366e8,
+    5.43416e8, -0.0196049, 2.01185e6, -0.0862558, -8.90929e-8, 1.04186e-5, 9.40479e-7, -0.000275635,
+    0.000300345, 6.14958e-5, -3.05327e8,
+  ];
+  const D = Float64Array.from(falling.slice().reverse(), (c) => c / falling[0]);
+  const N = new Float64Array(D.length);
+  N[0] = -4e-7;
+  const last = trace(gainCurve({ D, N }, -1, []), [0, -1e-3, -1e30], roots(D), BLIND).at(-1);
+  const exact = roots(D.map((v, k) => v - 1e30 * N[k]));
+  for (const [i, x] of exact.x.entries()) {
+    const off = Array.from(last.x, (v, k) => Math.hypot(v - x, last.y[k] - exact.y[i]));
+    assert.ok(Math.min(...off) < 1e-9 * Math.hypot(x, exact.y[i]), `${x} ${exact.y[i]} in ${last.x}`);
   }
 });
 

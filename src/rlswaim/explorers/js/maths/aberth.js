@@ -5,6 +5,7 @@ import { distance, EPS, termsAt } from './polynomials.js';
 /** @typedef {Float64Array | number[]} Numbers */
 
 const SWEEPS = 80;
+const WIDE = 1e200; // the square of a polynomial's value whose products with its slope are numbers
 
 // One entry for each point that still moves; made once, and larger when a larger polynomial comes.
 let moving = new Uint8Array(32);
@@ -70,8 +71,8 @@ function moved(c, n, x, y, i, close, longestSquare) {
     bound = bound * size + Math.abs(c[k]);
   }
   let q = px * px + py * py;
-  if (!(q < Infinity)) {
-    // All beside the size of the terms, so that no square overflows; nothing tells where the terms do.
+  if (!(q > 1 / WIDE && q < WIDE)) {
+    // All beside the size of the terms, so that no product overflows; nothing tells where the terms do.
     [px, py, dx, dy, bound] = [px / bound, py / bound, dx / bound, dy / bound, 1];
     q = px * px + py * py;
   }
