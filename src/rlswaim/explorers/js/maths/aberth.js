@@ -1,5 +1,6 @@
 // All roots of a polynomial at once, by Aberth's iteration.
 import { distance, EPS, termsAt } from './polynomials.js';
+import { slope, startingPoints, upperHull } from './starting_points.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
 /** @typedef {Float64Array | number[]} Numbers */
@@ -57,9 +58,13 @@ export function aberth(c, n, x, y, close = 1e-6) {
  * @param {number} longestSquare
  */
 function moved(c, n, x, y, i, close, longestSquare) {
-  const [zx, zy] = [x[i], y[i]];
+  const zx = x[i];
+  const zy = y[i];
   const size = Math.sqrt(zx * zx + zy * zy);
-  let [px, py, dx, dy] = [c[n], 0, 0, 0];
+  let px = c[n];
+  let py = 0;
+  let dx = 0;
+  let dy = 0;
   let bound = Math.abs(px);
   for (let k = n - 1; k >= 0; k--) {
     let t = dx * zx - dy * zy + px;
@@ -89,61 +94,24 @@ function moved(c, n, x, y, i, close, longestSquare) {
     sx -= ex / q;
     sy += ey / q;
   }
-  q = sx * sx + sy * sy || 1e-300;
+  return 1 <= stepped(x, y, i, sx, sy, longestSquare) * close * close * gap;
+}
+
+// Moves point i by 1 / (sx + j sy), or by the longest step allowed. Returns the square of sx + j sy.
+/**
+ * @param {Numbers} x
+ * @param {Numbers} y
+ * @param {number} i
+ * @param {number} sx
+ * @param {number} sy
+ * @param {number} longestSquare
+ */
+function stepped(x, y, i, sx, sy, longestSquare) {
+  const q = sx * sx + sy * sy || 1e-300;
   const scale = q * longestSquare < 1 ? Math.sqrt(longestSquare / q) : 1 / q;
   x[i] -= sx * scale;
   y[i] += sy * scale;
-  return 1 <= q * close * close * gap;
-}
-
-/**
- * Points on circles whose radii the size of the coefficients tells (Bini): sound for roots of very different
- * size.
- * @param {Coefficients} c of degree n, whose constant term is not 0
- * @param {number} n
- * @returns {[number[], number[]]} by rising size
- */
-export function startingPoints(c, n) {
-  const x = new Array(n).fill(0.5);
-  const y = x.slice();
-  const hull = upperHull(c, n);
-  for (let h = 1; h < hull.length; h++) {
-    const [from, to] = [hull[h - 1], hull[h]];
-    const radius = Math.exp(-slope(c, from, to));
-    for (let i = from; i < to; i++) {
-      const angle = (2 * Math.PI * (i - from)) / (to - from) + (2 * Math.PI * h) / n + 0.7;
-      x[i] = radius * Math.cos(angle);
-      y[i] = radius * Math.sin(angle);
-    }
-  }
-  return [x, y];
-}
-
-/**
- * @param {Coefficients} c
- * @param {number} a
- * @param {number} b
- */
-const slope = (c, a, b) => (Math.log(Math.abs(c[b])) - Math.log(Math.abs(c[a]))) / (b - a);
-
-// The corners of the upper convex hull of the points (k, ln |c_k|).
-/**
- * @param {Coefficients} c
- * @param {number} n
- */
-function upperHull(c, n) {
-  /** @type {number[]} */
-  const hull = [];
-  for (let k = 0; k <= n; k++) {
-    if (c[k] === 0) continue;
-    while (hull.length > 1) {
-      const [before, last] = hull.slice(-2);
-      if (slope(c, before, last) > slope(c, last, k)) break;
-      hull.pop();
-    }
-    hull.push(k);
-  }
-  return hull;
+  return q;
 }
 
 /**

@@ -1,7 +1,8 @@
 // Where branches of a root locus meet: multiple roots of D + k N for a real gain k.
-import { flatten, startingPoints } from './aberth.js';
+import { flatten } from './aberth.js';
 import { gainAtPoint } from './factored_loop.js';
 import { distance, EPS, meanOf } from './polynomials.js';
+import { startingPoints } from './starting_points.js';
 
 /** @typedef {import('./factored_loop.js').FactoredLoop} FactoredLoop */
 /** @typedef {import('./multiple_roots.js').Root} Root */

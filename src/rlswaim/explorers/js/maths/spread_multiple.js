@@ -1,5 +1,5 @@
 // Guesses for the roots that leave from one place.
-import { startingPoints } from './aberth.js';
+import { startingPoints } from './starting_points.js';
 
 /** @typedef {import('./trace_points.js').Numbers} Numbers */
 
