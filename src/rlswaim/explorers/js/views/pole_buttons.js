@@ -6,6 +6,8 @@ import { button, element } from '../page/elements.js';
 /** @import { Roots, View } from '../types.d.ts' */
 /** @typedef {{ node: HTMLButtonElement, hidden: boolean, px: number, py: number }} Handle */
 
+const UNTOLD = 'A pole of the closed loop'; // until the words follow the picture
+
 export class PoleButtons {
   /** @param {(branch: number) => void} open */
   constructor(open) {
@@ -20,6 +22,7 @@ export class PoleButtons {
     while (this.handles.length < x.length) {
       const branch = this.handles.length;
       const node = button('', () => this.open(branch));
+      node.ariaLabel = UNTOLD;
       this.node.append(node);
       this.handles.push({ node, hidden: false, px: NaN, py: NaN });
     }
