@@ -231,13 +231,10 @@ def longest_while_opening(browser, site, path, errors, address) -> float:
 @pytest.mark.parametrize("path", ON_PAGES)
 def test_addresses_that_a_page_opens_with(browser, site, errors, path):
     """To open a page takes its time on a busy machine: so long may a task be with an address too."""
-    most = LONGEST
     for address in addresses(path, COUNT)[::FRESH]:
         for _ in range(TRIES):
             longest = longest_while_opening(browser, site, path, errors, address)
-            if longest > most:
-                most = max(most, 1.5 * longest_while_opening(browser, site, path, errors, ""))
-            if longest <= most:
+            if longest <= LONGEST or longest <= 1.5 * longest_while_opening(browser, site, path, errors, ""):
                 break
         else:
             pytest.fail(f"{address}: a task of {longest} ms")

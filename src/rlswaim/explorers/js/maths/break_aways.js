@@ -163,7 +163,7 @@ function moved(terms, x, y, i) {
  * @returns {Root[]}
  */
 function gathered(terms, { x, y }, doubt) {
-  const least = ROUND * terms.x.length * EPS;
+  const rounding = ROUND * terms.x.length * EPS;
   const left = new Set(x.keys());
   /** @type {Root[]} */
   const found = [];
@@ -175,7 +175,7 @@ function gathered(terms, { x, y }, doubt) {
     const [mx, my] = near.length === 1 ? [x[i], y[i]] : [x, y].map((v) => meanOf(v, near));
     const up = near.some((j) => y[j] * my <= 0) ? 0 : my;
     const spread = Math.max(...near.map((j) => distance(x[j] - mx, y[j] - up)));
-    if (near.length > 1 && slopeAt(terms, mx, up, spread) <= least + doubt(mx, up)) {
+    if (near.length > 1 && relativeSlope(terms, mx, up, spread) <= rounding + doubt(mx, up)) {
       for (const j of near) left.delete(j);
       found.push({ x: mx, y: up, count: near.length });
     } else found.push({ x: x[i], y: y[i], count: 1 });
@@ -191,7 +191,7 @@ function gathered(terms, { x, y }, doubt) {
  * @param {number} y
  * @param {number} spread
  */
-function slopeAt(terms, x, y, spread) {
+function relativeSlope(terms, x, y, spread) {
   let [re, im, slopeRe, slopeIm, size] = [0, 0, 0, 0, 0];
   for (let k = 0; k < terms.x.length; k++) {
     const [dx, dy] = [x - terms.x[k], y - terms.y[k]];
