@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -35,7 +36,8 @@ MATHS = (
 )
 SCRIPTS = "http://127.0.0.1/maths/"
 VIEW = {"left": -12.0, "right": 4.0, "bottom": -1.0, "top": 13.0, "scale": 40.0, "tolerance": 0.25}
-COUNT = 1000
+COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 300
+"""So many random states of each view, 2,000 with `make fuzz`."""
 sections = pytest.mark.parametrize("section", VIEWS)
 
 

@@ -12,9 +12,10 @@ from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from chromium import FLAGS, NoChromiumError, find_chromium
-from livepage import FORMULAS_STAY_TEXT, LivePage, live
+from livepage import LivePage, live
+from plain_pages import PlainHandler
 from rlswaim.explorers import Explorer
-from serve import server
+from serve import Handler, server
 from standin import opened
 from workbench_page import EQUATIONS, VIEWS
 
@@ -50,15 +51,29 @@ class Visit(NamedTuple):
     errors: list[str]
 
 
-@pytest.fixture(scope="session")
-def site() -> Iterator[str]:
+@contextmanager
+def served(handler: type[Handler]) -> Iterator[str]:
     """Serve the built book; the address of its root, without the last slash."""
     if not (HTML / ".built").is_file():
         pytest.fail("the book is not built: run `make book` first", pytrace=False)
-    with server(HTML) as running:
+    with server(HTML, handler=handler) as running:
         threading.Thread(target=running.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{running.server_port}"
         running.shutdown()
+
+
+@pytest.fixture(scope="session")
+def site() -> Iterator[str]:
+    """The address of the built book."""
+    with served(Handler) as address:
+        yield address
+
+
+@pytest.fixture(scope="session")
+def plain_site() -> Iterator[str]:
+    """The address of the built book without formulas and icons, for tests that look at neither."""
+    with served(PlainHandler) as address:
+        yield address
 
 
 @contextmanager
@@ -82,26 +97,25 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="module")
-def visit(browser: Browser, site: str) -> Callable[..., Iterator[Visit]]:
+def visit(browser: Browser, site: str, plain_site: str) -> Callable[..., Iterator[Visit]]:
     """Open a page of the book by its path, in a fresh context; the browser resolves no name outside.
 
-    Where a test looks at no formula these may stay as they are written.
+    Where a test looks at no formula and no icon, these may stay as they are written.
     """
 
     @contextmanager
     def opened(path: str, formulas: bool = True) -> Iterator[Visit]:
         context = browser.new_context(viewport={"width": 1280, "height": 900})
         page = context.new_page()
-        if not formulas:
-            page.add_init_script(FORMULAS_STAY_TEXT)
         found = Visit(page, [], [])
 
-        inside = (f"{site}/", "data:", "blob:")
+        root = site if formulas else plain_site
+        inside = (f"{root}/", "data:", "blob:")
         page.on("request", lambda r: r.url.startswith(inside) or found.outside.append(r.url))
         page.on("pageerror", lambda error: found.errors.append(f"page error: {error}"))
         page.on("console", lambda line: line.type == "error" and found.errors.append(f"console: {line.text}"))
         page.on("response", lambda r: r.status >= 400 and found.errors.append(f"{r.status} {r.url}"))
-        page.goto(f"{site}/{path}", wait_until="load")
+        page.goto(f"{root}/{path}", wait_until="load")
         page.wait_for_function(MATHJAX)
         page.evaluate("() => window.MathJax?.startup?.promise")
         yield found

@@ -191,21 +191,6 @@ def live(visit: Callable, name: str, anchor: str = "", at: str = "") -> Iterator
         assert (outside, errors) == ([], []), (outside, errors)
 
 
-FORMULAS_STAY_TEXT = """(() => {
-  let settings;
-  Object.defineProperty(globalThis, 'MathJax', {
-    configurable: true,
-    get: () => settings,
-    set(given) {
-      settings = given;
-      if (!given.version) settings.startup = { ...given.startup, typeset: false };
-    },
-  });
-})();
-"""
-"""A script before those of a page: MathJax starts, but sets no formula, which takes half of the time."""
-
-
 def poles_of(rows: Sequence[Row]) -> list[complex]:
     """Return the poles of a table from their text, its other columns checked against them."""
     found = []

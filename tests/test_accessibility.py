@@ -5,12 +5,11 @@ from pathlib import Path
 import pytest
 
 from conftest import MATHJAX
-from livepage import FORMULAS_STAY_TEXT
 from test_pages import PAGES
 
 ROOT = Path(__file__).parent.parent
 FORMULAS_SET = ["book/notation.html"]
-"""Formulas are alike on all pages, and axe takes most of its time for them: they stay text on the others."""
+"""Formulas and icons are alike on all pages, and axe takes most of its time for them: others go without."""
 AXE = ROOT / "node_modules" / "axe-core" / "axe.min.js"
 SCHEMES = {
     "light": {"color_scheme": "light", "forced_colors": "none"},
@@ -35,12 +34,10 @@ FAULTS = """async (rules) => {
 
 
 @pytest.mark.parametrize("path", PAGES)
-def test_page_has_no_serious_fault(browser, site, path):
+def test_page_has_no_serious_fault(browser, site, plain_site, path):
     context = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True)
     page = context.new_page()
-    if path not in FORMULAS_SET:
-        page.add_init_script(FORMULAS_STAY_TEXT)
-    page.goto(f"{site}/{path}")
+    page.goto(f"{site if path in FORMULAS_SET else plain_site}/{path}")
     page.wait_for_function(MATHJAX)
     page.wait_for_timeout(500)
     page.evaluate(OPENED)

@@ -1,7 +1,5 @@
 """Focus can be seen where the reader's system sets the colours: an outline at each stop of the Tab key."""
 
-from livepage import FORMULAS_STAY_TEXT
-
 PAGE = "book/04-rate-and-attitude-feedback.html"
 FIRST = ".live-view [role=slider]"
 STOP = """() => {
@@ -11,10 +9,9 @@ STOP = """() => {
 }"""
 
 
-def test_each_stop_of_a_workbench_has_an_outline_in_forced_colours(browser, site):
+def test_each_stop_of_a_workbench_has_an_outline_in_forced_colours(browser, plain_site):
     page = browser.new_context(forced_colors="active", viewport={"width": 1280, "height": 900}).new_page()
-    page.add_init_script(FORMULAS_STAY_TEXT)
-    page.goto(f"{site}/{PAGE}")
+    page.goto(f"{plain_site}/{PAGE}")
     page.locator(FIRST).first.focus()
     page.keyboard.press("Shift+Tab")
     page.keyboard.press("Tab")

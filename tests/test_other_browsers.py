@@ -10,9 +10,9 @@ from http.server import ThreadingHTTPServer
 import pytest
 
 from conftest import HTML, ROOT
-from livepage import FORMULAS_STAY_TEXT, PAGES
+from livepage import PAGES
 from other_browsers import STARTED, Driven, MissingBrowserError
-from serve import Handler
+from plain_pages import PlainHandler
 
 ELSEWHERE = [
     ("dual-actuation", "book/16-designs-and-loads.html"),
@@ -71,28 +71,21 @@ COMPLETE = FIND + "return root.dataset.step === 'complete'"
 VERDICT = FIND + "return root.querySelector('.verdict').innerText"
 
 
-class Listening(Handler):
+class Listening(PlainHandler):
     """Puts a script in front of each page that notes what goes wrong there."""
 
     def do_GET(self) -> None:
         """Answer; a page gets one more line."""
         path = self.path.partition("#")[0]
         if path == "/listen.js":
-            self._answer((FORMULAS_STAY_TEXT + LISTEN).encode(), "text/javascript")
+            self.answer(LISTEN.encode(), "text/javascript")
         elif path.endswith(".html"):
             page = (HTML / path[1:]).read_bytes()
             head, tag, rest = page.partition(b"<head>")
             listen = b'<script src="/listen.js"></script>'
-            self._answer(head + tag + listen + rest, "text/html; charset=utf-8")
+            self.answer(head + tag + listen + rest, "text/html; charset=utf-8")
         else:
             super().do_GET()
-
-    def _answer(self, body: bytes, kind: str) -> None:
-        self.send_response(200)
-        self.send_header("Content-Type", kind)
-        self.send_header("Content-Length", str(len(body)))
-        self.end_headers()
-        self.wfile.write(body)
 
 
 @pytest.fixture(scope="module")

@@ -2,6 +2,7 @@
 
 import re
 import struct
+from collections.abc import Iterator
 from html.parser import HTMLParser
 from importlib.metadata import version
 from pathlib import Path
@@ -14,12 +15,12 @@ import yaml
 from docutils import nodes
 
 import rlswaim as rl
+from conftest import HTML, Visit
 from extensions.how_to_cite import HowToCite
 from extensions.typeset_tables import typeset
 from rlswaim.edition.ledger import as_frame
 
 ROOT = Path(__file__).parent.parent
-HTML = ROOT / "_build" / "html"
 TOC = yaml.safe_load((ROOT / "_toc.yml").read_text(encoding="utf-8"))
 CONFIG = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))["sphinx"]["config"]
 CHAPTERS = [TOC["root"], *(c["file"] for part in TOC["parts"] for c in part["chapters"])]
@@ -33,6 +34,16 @@ FAULTS = """() => ({
   broken: [...document.images].filter(el => el.complete && !el.naturalWidth).map(el => el.src),
   noAxes: [...document.querySelectorAll('.live-view-failure')].map(el => el.textContent),
 })"""
+
+LEAST, TALLEST = 500, 20_000
+"""Heights of pages (px)."""
+SCROLLED = """async () => {
+  const all = document.documentElement;
+  for (let y = 0; y < all.scrollHeight; y += 800) {
+    scrollTo(0, y);
+    await new Promise(next => setTimeout(next, 30));
+  }
+}"""
 
 
 class Links(HTMLParser):
@@ -66,16 +77,34 @@ def links() -> dict[str, Links]:
     return {path.relative_to(HTML).as_posix(): parsed(str(path)) for path in sorted(HTML.rglob("*.html"))}
 
 
-@pytest.mark.parametrize("path", PAGES)
-def test_page_is_whole_without_a_network(visit, path):
-    with visit(path) as (page, outside, errors):
-        page.wait_for_timeout(500)  # what comes late
-        assert outside == []
-        assert errors == []
-        assert {what: found for what, found in page.evaluate(FAULTS).items() if found} == {}
-        assert page.title().strip(" #—-")
-        if path.removesuffix(".html") in CHAPTERS:
-            assert page.locator("article h1").count() == 1
+@pytest.fixture(scope="module", params=PAGES)
+def opened(visit, request) -> Iterator[tuple[str, Visit]]:
+    """A page as it opens, and its path."""
+    with visit(request.param) as found:
+        found.page.wait_for_timeout(500)  # what comes late
+        yield request.param, found
+
+
+def test_page_is_whole_without_a_network(opened):
+    path, (page, outside, errors) = opened
+    assert outside == []
+    assert errors == []
+    assert {what: found for what, found in page.evaluate(FAULTS).items() if found} == {}
+    assert page.title().strip(" #—-")
+    if path.removesuffix(".html") in CHAPTERS:
+        assert page.locator("article h1").count() == 1
+
+
+def test_page_is_not_too_tall_to_find_one_s_way_in(opened):
+    """Its height at 1280 px, all folds closed, once all that comes when it is in sight has come."""
+    path, (page, outside, errors) = opened
+    assert page.evaluate("innerWidth") == 1280
+    page.evaluate(SCROLLED)
+    page.wait_for_timeout(300)
+    assert page.locator("details.hide[open], details.sd-dropdown[open]").count() == 0
+    height = page.evaluate("document.documentElement.scrollHeight")
+    assert LEAST < height <= TALLEST, path
+    assert (outside, errors) == ([], [])
 
 
 def test_every_page_of_the_contents_is_built(links):
@@ -176,7 +205,7 @@ def test_how_to_cite_sets_each_work_as_a_line_without_markup_and_an_entry():
 
 def test_the_ledger_s_page_prints_every_row(visit):
     wanted = as_frame(rl.ledger()).reset_index()
-    with visit("book/12-agreement.html") as (page, _, errors):
+    with visit("book/12-agreement.html", formulas=False) as (page, _, errors):
         page.locator(".dt-search input").wait_for()
         rows = page.locator("#printed-numbers tbody tr")
         assert rows.count() < len(wanted)
@@ -192,7 +221,7 @@ def test_the_ledger_s_page_prints_every_row(visit):
 
 
 def test_numbers_and_words_of_the_ledger_are_found_by_the_book_s_search(visit):
-    with visit("search.html?q=eq136-zero-c2-re") as (page, _, errors):
+    with visit("search.html?q=eq136-zero-c2-re", formulas=False) as (page, _, errors):
         page.locator("#search-results li a").first.wait_for()
         found = page.locator("#search-results li a").evaluate_all("links => links.map(link => link.href)")
         assert any("12-agreement" in address for address in found)
@@ -200,7 +229,7 @@ def test_numbers_and_words_of_the_ledger_are_found_by_the_book_s_search(visit):
 
 
 def test_printed_numbers_can_be_searched(visit):
-    with visit("book/12-agreement.html") as (page, outside, errors):
+    with visit("book/12-agreement.html", formulas=False) as (page, outside, errors):
         box, info = page.locator(".dt-search input"), page.locator(".dt-info")
         box.wait_for()
         assert f"of {len(rl.ledger())} entries" in info.text_content()
