@@ -7,6 +7,10 @@ UV := uv==0.13.9
 SPHINX := sphinx myst-nb sphinx-book-theme sphinx-external-toc sphinx-design sphinx-copybutton sphinx-comments \
   sphinx-togglebutton sphinx-multitoc-numbering sphinx-mathjax-offline sphinxcontrib-bibtex itables
 
+# uv installs the packages in a fifth of pip's time, but knows no settings of pip: where it fails, pip does it.
+WITH_UV = $(BIN)/python -m pip install --quiet --disable-pip-version-check $(UV) 2>/dev/null \
+  && $(BIN)/uv pip install --quiet --no-config --no-cache --python $(BIN)/python -r requirements.txt 2>/dev/null
+
 BIN := .venv/bin
 INSTALLED := .venv/.installed
 HTML := _build/html
@@ -27,6 +31,10 @@ export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/.home/jupyter
 export JUPYTER_DATA_DIR := $(CURDIR)/.venv/.home/jupyter
 export JUPYTER_RUNTIME_DIR := $(CURDIR)/.venv/.home/jupyter/runtime
 export MPLCONFIGDIR := $(CURDIR)/.venv/.home/matplotlib
+
+# Notebooks and tests run one to a processor, and their matrices are small: threads would only wait for each other.
+export OMP_NUM_THREADS := 1
+export OPENBLAS_NUM_THREADS := 1
 
 NOTEBOOKS := $(wildcard book/*.ipynb)
 PAGES := $(shell find book \( -path book/widgets -o -path book/extensions -o -name '*.py*' \) -prune -o -type f -not -path "*/.*" -print)
@@ -72,22 +80,22 @@ fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad inp
 
 bench: book ## time root loci and live views beside other tools, and write the page of the book that shows it
 	@mkdir -p _build
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest benchmarks -o addopts= -p no:cacheprovider \
+	$(BIN)/python -m pytest benchmarks -o addopts= -p no:cacheprovider \
 	  -q --benchmark-quiet --benchmark-json=_build/benchmarks.json
 	$(BIN)/python benchmarks/table.py _build/benchmarks.json book/11-speed.md
 
 searches: installed ## search all gains within the bounds again, some minutes, and store the best in data/searches.csv
 	@mkdir -p _build
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.edition.long_searches > _build/searches.csv
+	$(BIN)/python -m rlswaim.edition.long_searches > _build/searches.csv
 	mv _build/searches.csv src/rlswaim/source/data/searches.csv
 
 designs: installed ## search the gains of fixed structures and draw 2,000 vehicles for each design again, and store both
 	@mkdir -p _build
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.synthesis > _build/synthesis.csv
+	$(BIN)/python -m rlswaim.practice.synthesis > _build/synthesis.csv
 	mv _build/synthesis.csv src/rlswaim/source/data/synthesis.csv
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.monte_carlo > _build/monte_carlo.csv
+	$(BIN)/python -m rlswaim.practice.monte_carlo > _build/monte_carlo.csv
 	mv _build/monte_carlo.csv src/rlswaim/source/data/monte_carlo.csv
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m rlswaim.practice.uncertain_data > _build/uncertain_data.csv
+	$(BIN)/python -m rlswaim.practice.uncertain_data > _build/uncertain_data.csv
 	mv _build/uncertain_data.csv src/rlswaim/source/data/uncertain_data.csv
 
 test-oldest: ## check everything with the oldest versions that pyproject.toml allows, in .oldest
@@ -169,7 +177,7 @@ $(HTML)/.built: $(PAGES) _build/.frame
 
 $(INSTALLED): requirements.txt pyproject.toml | $(BIN)/python
 	@echo "Installing the packages pinned in requirements.txt into .venv"
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+	@$(WITH_UV) || $(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
 	@touch $@
 
