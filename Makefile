@@ -32,6 +32,9 @@ export JUPYTER_DATA_DIR := $(CURDIR)/.venv/.home/jupyter
 export JUPYTER_RUNTIME_DIR := $(CURDIR)/.venv/.home/jupyter/runtime
 export MPLCONFIGDIR := $(CURDIR)/.venv/.home/matplotlib
 
+# uv leaves it to Python to compile what is imported: each process would do so again if it might not keep the result.
+unexport PYTHONDONTWRITEBYTECODE
+
 # Notebooks and tests run one to a processor, and their matrices are small: threads would only wait for each other.
 export OMP_NUM_THREADS := 1
 export OPENBLAS_NUM_THREADS := 1
