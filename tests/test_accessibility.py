@@ -39,7 +39,7 @@ def test_page_has_no_serious_fault(browser, site, plain_site, path):
     page = context.new_page()
     page.goto(f"{site if path in FORMULAS_SET else plain_site}/{path}")
     page.wait_for_function(MATHJAX)
-    page.wait_for_timeout(500)
+    page.wait_for_timeout(250)
     page.evaluate(OPENED)
     page.add_script_tag(path=AXE)
     found = {}

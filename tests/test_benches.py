@@ -79,7 +79,7 @@ def poles(page: Page) -> np.ndarray:
 
 def choose(page: Page, system: str) -> None:
     page.locator("[data-panel=bench] > .controls select").select_option(system)
-    page.wait_for_timeout(300)
+    page.wait_for_timeout(200)
 
 
 def values(page: Page) -> dict:

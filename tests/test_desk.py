@@ -44,7 +44,7 @@ def at_desk(browser, plain_site: str, name: str, address: str = "&desk", **size:
     page.on("console", lambda line: line.type == "error" and errors.append(line.text))
     page.goto(f"{plain_site}/{PAGES[name]}#{name}:{address}")
     page.locator(f"[data-explorer={name}] canvas").first.wait_for()
-    page.wait_for_timeout(600)
+    page.wait_for_timeout(300)
     yield page
     assert errors == []
     page.close()

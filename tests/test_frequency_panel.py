@@ -128,7 +128,7 @@ class TestLinks:
             lists = page.locator(".bar select").first
             for name in lists.locator("option").evaluate_all("all => all.map((o) => o.value)"):
                 lists.select_option(name)
-                page.wait_for_timeout(350)
+                page.wait_for_timeout(220)
                 label = page.locator(CANVAS).get_attribute("aria-label")
                 assert "NaN" not in label
                 assert "loop cut at" in label

@@ -181,11 +181,11 @@ def assert_alive(page: Page, path: str) -> None:
         panel = page.locator(".live-view", has=page.locator(f"[data-explorer='{name}']")).first
         target = panel.locator(PICTURES.get(name, "[role=slider]")).first
         target.scroll_into_view_if_needed()
-        page.wait_for_timeout(200)
+        page.wait_for_timeout(100)
         before = page.evaluate(TOLD, name)
         for key in ("ArrowLeft",) if name in PICTURES else ("Home", "ArrowRight"):
             target.press(key)
-            page.wait_for_timeout(50)
+            page.wait_for_timeout(30)
         page.wait_for_function(f"([name, before]) => ({TOLD})(name) !== before", arg=[name, before])
 
 

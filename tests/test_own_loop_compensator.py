@@ -125,7 +125,7 @@ def bench(browser, request):
 
 
 def assert_like_python(page):
-    page.wait_for_timeout(400)
+    page.wait_for_timeout(250)
     names: dict = {}
     exec(page.locator("[data-panel=takeaway] code").text_content(), names)
     ours, theirs = paired(table(page), names["locus"].roots[0])

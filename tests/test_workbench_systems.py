@@ -34,7 +34,7 @@ class TestEveryControlSystem:
     def test_the_call_of_the_library_gives_the_poles_shown(self, wide):
         for preset in self.presets(wide):
             wide.get_by_role("button", name=preset["name"], exact=True).click()
-            wide.wait_for_timeout(350)
+            wide.wait_for_timeout(220)
             names: dict = {}
             exec(wide.locator("[data-panel=takeaway] code").inner_text(), names)
             ours, theirs = paired(names["loop"].poles(), table(wide))
@@ -68,7 +68,7 @@ class TestEveryControlSystem:
         wide.locator("canvas[data-plane=responses]").scroll_into_view_if_needed()
         for at in range(wide.locator("[data-panel=responses] select").first.locator("option").count()):
             wide.locator("[data-panel=responses] select").first.select_option(str(at))
-            wide.wait_for_timeout(300)
+            wide.wait_for_timeout(220)
             wide.wait_for_function("el.querySelector('[data-plane=responses]').ariaLabel")
             seen.add(picture(wide, "responses"))
             label = wide.locator("canvas[data-plane=responses]").get_attribute("aria-label")
