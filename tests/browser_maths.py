@@ -2,7 +2,6 @@
 
 import json
 import math
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -14,6 +13,7 @@ from playwright.sync_api import Browser, Page, Route
 from scipy.optimize import linear_sum_assignment
 
 import rlswaim as rl
+from conftest import cases
 from rlswaim.explorers.control_systems import payload
 from rlswaim.explorers.system_views import VIEWS
 from rlswaim.source.tables import script
@@ -36,7 +36,7 @@ MATHS = (
 )
 SCRIPTS = "http://127.0.0.1/maths/"
 VIEW = {"left": -12.0, "right": 4.0, "bottom": -1.0, "top": 13.0, "scale": 40.0, "tolerance": 0.25}
-COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 300
+COUNT = cases(300)
 """So many random states of each view, 2,000 with `make fuzz`."""
 sections = pytest.mark.parametrize("section", VIEWS)
 

@@ -30,7 +30,13 @@ settings.register_profile(
     "ci", derandomize=True, deadline=None, max_examples=60, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.register_profile("search", parent=settings.get_profile("ci"), derandomize=False, max_examples=2000)
-settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
+PROFILE = os.environ.get("HYPOTHESIS_PROFILE", "ci")
+settings.load_profile(PROFILE)
+
+
+def cases(count: int) -> int:
+    """Return how many random cases a test tries: so many, or those of `make fuzz`."""
+    return settings().max_examples if PROFILE == "search" else count
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -100,16 +106,16 @@ def browser() -> Iterator[Browser]:
 def visit(browser: Browser, site: str, plain_site: str) -> Callable[..., Iterator[Visit]]:
     """Open a page of the book by its path, in a fresh context; the browser resolves no name outside.
 
-    Where a test looks at no formula and no icon, these may stay as they are written.
+    A plain page has its formulas as text and no icons, for tests that look at neither.
     """
 
     @contextmanager
-    def opened(path: str, formulas: bool = True) -> Iterator[Visit]:
+    def opened(path: str, plain: bool = False) -> Iterator[Visit]:
         context = browser.new_context(viewport={"width": 1280, "height": 900})
         page = context.new_page()
         found = Visit(page, [], [])
 
-        root = site if formulas else plain_site
+        root = plain_site if plain else site
         inside = (f"{root}/", "data:", "blob:")
         page.on("request", lambda r: r.url.startswith(inside) or found.outside.append(r.url))
         page.on("pageerror", lambda error: found.errors.append(f"page error: {error}"))

@@ -182,7 +182,7 @@ class LivePage(NamedTuple):
 @contextmanager
 def live(visit: Callable, name: str, anchor: str = "", at: str = "") -> Iterator[LivePage]:
     """Open a live view on its page or on ``at``; anything asked from outside and any error is a failure."""
-    with visit(f"{at or PAGES[name]}{anchor}", formulas=False) as (page, outside, errors):
+    with visit(f"{at or PAGES[name]}{anchor}", plain=True) as (page, outside, errors):
         root = page.locator(f"[data-explorer='{name}']").first
         root.wait_for()
         root.scroll_into_view_if_needed()

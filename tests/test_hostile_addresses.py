@@ -6,7 +6,6 @@ hold up any page once, a state that is slow to draw is slow each time.  To open 
 so long may a task be with an address too.
 """
 
-import os
 import random
 import re
 from collections.abc import Iterator
@@ -15,11 +14,12 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
+from conftest import cases
 from livepage import ON_PAGES, PAGES, library
 
 BOOK = Path(__file__).parent.parent / "book"
 VIEW = re.compile(r"\b(explorers\.\w+|rl\.explore)\(")
-COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
+COUNT = cases(100)
 FRESH = 50
 LONGEST = 500  # ms
 TRIES = 4
@@ -46,7 +46,6 @@ ASKED = [
     "sigma_1e308",
     "gain_6",
 ]
-RUBBISH = ["&&::,,==", "%", "fig-8", ":", "comparison:left", "x" * 20000]
 
 VISIT = """async (addresses) => {
   const settle = (ms) => new Promise((done) => setTimeout(done, ms));

@@ -46,7 +46,7 @@ def test_fits_the_page_in_both_themes(shown, width):
 
 
 def test_reduced_motion_is_respected(browser, visit):
-    with visit(PAGES["rate-attitude"], formulas=False) as (page, outside, errors):
+    with visit(PAGES["rate-attitude"], plain=True) as (page, outside, errors):
         page.emulate_media(reduced_motion="reduce")
         page.reload()
         root = page.locator("[data-explorer=rate-attitude]")

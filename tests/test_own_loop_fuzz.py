@@ -1,6 +1,5 @@
 """Hostile texts, compensators and requirements of one's own loop, by the address and in the fields."""
 
-import os
 import random
 import urllib.parse
 
@@ -10,12 +9,13 @@ import pytest
 from playwright.sync_api import Page
 
 import rlswaim as rl
+from conftest import cases
 from own_loops import LOOPS
 from rlswaim.explorers.own_loop import loop_text
 from standin import SITE, opened, show, table
 from test_own_loop_view import START, type_in
 
-COUNT = 2000 if os.environ.get("HYPOTHESIS_PROFILE") == "search" else 100
+COUNT = cases(100)
 LONGEST = 500  # ms
 TRIES = 4
 """A text counts as slow if it is so each time: a busy machine may hold up any page once."""

@@ -205,7 +205,7 @@ def test_how_to_cite_sets_each_work_as_a_line_without_markup_and_an_entry():
 
 def test_the_ledger_s_page_prints_every_row(visit):
     wanted = as_frame(rl.ledger()).reset_index()
-    with visit("book/12-agreement.html", formulas=False) as (page, _, errors):
+    with visit("book/12-agreement.html", plain=True) as (page, _, errors):
         page.locator(".dt-search input").wait_for()
         rows = page.locator("#printed-numbers tbody tr")
         assert rows.count() < len(wanted)
@@ -221,7 +221,7 @@ def test_the_ledger_s_page_prints_every_row(visit):
 
 
 def test_numbers_and_words_of_the_ledger_are_found_by_the_book_s_search(visit):
-    with visit("search.html?q=eq136-zero-c2-re", formulas=False) as (page, _, errors):
+    with visit("search.html?q=eq136-zero-c2-re", plain=True) as (page, _, errors):
         page.locator("#search-results li a").first.wait_for()
         found = page.locator("#search-results li a").evaluate_all("links => links.map(link => link.href)")
         assert any("12-agreement" in address for address in found)
@@ -229,7 +229,7 @@ def test_numbers_and_words_of_the_ledger_are_found_by_the_book_s_search(visit):
 
 
 def test_printed_numbers_can_be_searched(visit):
-    with visit("book/12-agreement.html", formulas=False) as (page, outside, errors):
+    with visit("book/12-agreement.html", plain=True) as (page, outside, errors):
         box, info = page.locator(".dt-search input"), page.locator(".dt-info")
         box.wait_for()
         assert f"of {len(rl.ledger())} entries" in info.text_content()

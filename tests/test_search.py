@@ -33,7 +33,7 @@ FORMS = [
 
 def pages_found(visit, query: str) -> set[str]:
     """The pages that a search lists, without what stands after a #."""
-    with visit(f"search.html?q={query.replace('+', '%2B')}", formulas=False) as (page, outside, errors):
+    with visit(f"search.html?q={query.replace('+', '%2B')}", plain=True) as (page, outside, errors):
         page.wait_for_function("() => /finished|did not match/.test(document.body.innerText)")
         hrefs = page.locator("#search-results li a").evaluate_all("all => all.map(a => a.pathname)")
         assert (outside, errors) == ([], [])
@@ -64,7 +64,7 @@ def test_a_number_as_python_writes_it_keeps_its_value(value):
 def test_the_browser_makes_the_same_words(visit):
     values = [10.0**k * m for k in range(-12, 24) for m in (1, 1.25, 6.02214076)]
     texts = [form for _, form in FORMS] + [f"{v!r}" for v in values] + ["φ_1 K_A 0.618s^2 v1.2.3 naïve 3rd"]
-    with visit("search.html", formulas=False) as (page, _, _):
+    with visit("search.html", plain=True) as (page, _, _):
         assert page.evaluate("texts => texts.map(text => splitQuery(text))", texts) == [*map(SPLIT, texts)]
 
 
@@ -98,7 +98,7 @@ def test_each_printed_number_of_the_ledger_is_in_the_index():
 
 @pytest.mark.parametrize("query", ["import", "vehicle", "1940"])
 def test_excerpts_show_no_source_code(visit, query):
-    with visit(f"search.html?q={query}", formulas=False) as (page, _, _):
+    with visit(f"search.html?q={query}", plain=True) as (page, _, _):
         page.wait_for_function("() => /finished|did not match/.test(document.body.innerText)")
         page.wait_for_load_state("networkidle")
         excerpts = page.locator(EXCERPTS).all_inner_texts()
@@ -108,7 +108,7 @@ def test_excerpts_show_no_source_code(visit, query):
 
 
 def test_an_excerpt_shows_the_number_that_was_searched(visit):
-    with visit("search.html?q=6.545e-10", formulas=False) as (page, _, _):
+    with visit("search.html?q=6.545e-10", plain=True) as (page, _, _):
         page.wait_for_function("() => /finished|did not match/.test(document.body.innerText)")
         page.wait_for_load_state("networkidle")
         excerpts = page.locator(EXCERPTS).all_inner_texts()

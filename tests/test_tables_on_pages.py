@@ -94,7 +94,7 @@ def test_no_table_of_a_page_has_bare_symbols(site, page):
 
 @pytest.mark.parametrize("typed", ["K_A", "omega", "phi_1"])
 def test_the_search_of_all_numbers_finds_a_symbol_as_it_is_typed(visit, typed):
-    with visit("book/12-agreement.html", formulas=False) as (page, _, errors):
+    with visit("book/12-agreement.html", plain=True) as (page, _, errors):
         field = page.get_by_role("searchbox").last
         field.fill(typed)
         page.wait_for_timeout(400)
