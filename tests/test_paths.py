@@ -236,6 +236,27 @@ def test_near_nodes_an_absolute_error_undoes_more(read):
     ]
 
 
+TRIED_AGAIN = [
+    (least, int(case))
+    for least in table_3_readings.STORED
+    for case in np.random.default_rng(24).choice(24, 3, replace=False) + 1
+]
+
+
+@pytest.mark.parametrize(("least", "case"), TRIED_AGAIN)
+def test_stored_readings_come_out_again(read, least, case):
+    pairs = [r.nominal for r in read]
+    (again,) = table_3_readings.readings(
+        EQS, pairs[case - 1 : case], least=least, samples=table_3_readings.SAMPLES
+    )
+    assert again == table_3_readings.stored(pairs, least)[case - 1]
+
+
+def test_readings_of_other_boxes_are_not_stored():
+    with pytest.raises(ValueError, match=r"stored: least must be one of \(0.0, 0.05\), got 0.1"):
+        table_3_readings.stored((), 0.1)
+
+
 # ---- consistent data
 
 

@@ -1,5 +1,7 @@
 """How the verdicts on Table 3's pairs depend on deflections read off a drawn curve.
 
+`main` prints them as ``data/table_3_readings.csv``; ``make searches`` stores that.
+
 The four deflections at sensor and jet are each scaled within a box; where both stand at one station there
 is one reading of each mode.  What happens at small gain is settled exactly: its rates are affine in each
 deflection, so that their signs in the whole box are those at its corners.  What happens further up is
@@ -15,14 +17,17 @@ from numpy.polynomial import polynomial as npp
 from numpy.typing import NDArray
 
 from rlswaim.edition.printed_closures import final_design
-from rlswaim.edition.table_3 import OUTCOMES, Trial, trial
+from rlswaim.edition.table_3 import OUTCOMES, Trial, trial, trials
 from rlswaim.loops.closures import JetLoop, literal_bracket
 from rlswaim.source import checks
+from rlswaim.source.tables import number, read_table
 from rlswaim.vehicle.coupling import elastic_poles
-from rlswaim.vehicle.equations import PerturbationEquations, with_reading
+from rlswaim.vehicle.equations import PerturbationEquations, printed_equations, with_reading
 
 CORNERS = np.array(list(product((-1.0, 1.0), repeat=4)))
 """Signs of the errors of phi_1, phi_2 at the sensor and phi_1, phi_2 at the jet; shape (16, 4)."""
+STORED, SAMPLES = (0.0, 0.05), 8
+"""Least half widths of the boxes whose readings are stored, and readings within each box."""
 
 
 class Readings(NamedTuple):
@@ -164,3 +169,38 @@ def readings(
             )
         )
     return tuple(found)
+
+
+def stored(pairs: Sequence[Trial], least: float) -> tuple[Readings, ...]:
+    """Return the `readings` of Table 3's pairs that are stored in ``data/table_3_readings.csv``.
+
+    Parameters
+    ----------
+    pairs : sequence of Trial
+        From `rlswaim.edition.table_3.trials` of the printed equations.
+    least : float
+        The least half width, one of `STORED`.
+
+    Returns
+    -------
+    tuple of Readings
+    """
+    if least not in STORED:
+        raise ValueError(f"stored: least must be one of {STORED}, got {least}")
+    rows = {row["case"]: row for row in read_table("table_3_readings") if number(row["least"]) == least}
+    counts = ("rises", "ends", "steadies", "total")
+    found = []
+    for pair in pairs:
+        row = rows[str(pair.case)]
+        found.append(Readings(pair, *(int(row[name]) for name in counts), barred=row["barred"] == "yes"))
+    return tuple(found)
+
+
+def main() -> None:
+    """Print the table ``data/table_3_readings.csv``."""
+    eqs = printed_equations()
+    print("least,case,rises,ends,steadies,total,barred")
+    for least in STORED:
+        for found in readings(eqs, trials(eqs), least=least, samples=SAMPLES):
+            counts = (found.rises, found.ends, found.steadies, found.total)
+            print(least, found.nominal.case, *counts, "yes" if found.barred else "no", sep=",")
