@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
+from criteria_rows import ROWS, agree
 from rlswaim import explorers
 from rlswaim.explorers import greensite as view
 from rlswaim.loops.multiaffine import forms
@@ -98,3 +99,27 @@ def test_refused():
         explorers.greensite_explorer(K_p=float("nan"))
     with pytest.raises(TypeError, match="notch in greensite explorer: got int"):
         explorers.greensite_explorer(notch=1)
+
+
+def at_random(rng, values):
+    """Return values with each gain off by up to a fifth, and the mode's frequency lower by up to a tenth."""
+    gains = {name: value * rng.uniform(0.8, 1.25) for name, value in values.items() if name != "omega"}
+    return gains | {"omega": int(rng.integers(90, 102))}
+
+
+def cases():
+    """Return the designs by name, and loops near them."""
+    rng, designs = np.random.default_rng(73), {p["name"]: p["values"] for p in view.presets()}
+    near = {f"near {name}": at_random(rng, values) for name, values in designs.items()}
+    return designs | near
+
+
+@pytest.mark.parametrize("values", [pytest.param(values, id=name) for name, values in cases().items()])
+def test_the_card_of_criteria_is_that_of_python(page, values):
+    explorer = explorers.greensite_explorer()
+    for name, value in values.items():
+        setattr(explorer, name, value)
+    show(page, **values)
+    card = page.locator("details[data-panel=criteria]")
+    card.evaluate("card => card.dispatchEvent(new Event('toggle'))")
+    agree(card.locator("tbody tr").evaluate_all(ROWS), explorer.criteria())

@@ -188,11 +188,11 @@ def stored(pairs: Sequence[Trial], least: float) -> tuple[Readings, ...]:
     if least not in STORED:
         raise ValueError(f"stored: least must be one of {STORED}, got {least}")
     rows = {row["case"]: row for row in read_table("table_3_readings") if number(row["least"]) == least}
-    counts = ("rises", "ends", "steadies", "total")
     found = []
     for pair in pairs:
         row = rows[str(pair.case)]
-        found.append(Readings(pair, *(int(row[name]) for name in counts), barred=row["barred"] == "yes"))
+        rises, ends, steadies, total = (int(row[name]) for name in ("rises", "ends", "steadies", "total"))
+        found.append(Readings(pair, rises, ends, steadies, total, row["barred"] == "yes"))
     return tuple(found)
 
 

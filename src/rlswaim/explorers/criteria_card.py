@@ -20,8 +20,8 @@ from rlswaim.vehicle.other_data import with_data
 
 STATIONS = (100.0, MIDDLE, 300.0)
 """Where the bending moment is asked (ft)."""
-BENDING = {"bending 1": "omega_1", "bending 2": "omega_2"}
-"""The bending modes by name, and the parameter that is the frequency of each (rad/s)."""
+BENDING = {"bending 1": ("omega_1", 1.0), "bending 2": ("omega_2", 1.0)}
+"""The bending modes by name: the parameter that is the frequency of each, and rad/s in one unit of it."""
 SAYS = {
     "settling": ("theta", "settles"),
     "alpha_deg": ("alpha", "with the gust, largest"),
@@ -29,6 +29,7 @@ SAYS = {
     "delta_rate_deg_s": ("delta", "rate, largest"),
     "jet_lb": ("delta_r", "largest"),
     "drift_ft_s": ("", "drift, largest"),
+    "drift_m_s": ("", "drift, largest"),
 }
 """Each criterion in time: its symbol, and what is asked of it."""
 MARGINS = {"gain_dB": "gain margin", "phase_deg": "phase margin", "delay_s": "delay margin"}
@@ -74,7 +75,7 @@ def _peaks(
         terms = [t for t in moment_terms(booster, eqs, station) if t.quantity in (*system.outputs, "alpha_g")]
         lever = {"lever": [max(station - x, 0.0) for x in FEET]} if "jet" in system.stations else {}
         found.append({"name": f"moment {station:g}", "terms": terms, "factor": 1.0, "unit": "lb ft", **lever})
-    return [{**each, **_words(each["name"])} for each in found]
+    return found
 
 
 def _words(name: str) -> dict[str, str]:
@@ -96,27 +97,47 @@ def sent_criteria(
     stations : tuple of float
         Where the bending moment is asked (ft): nowhere if the vehicle's masses or surfaces move.
     """
-    want = criteria.wanted()
     return {
-        "wanted": asdict(want),
-        "settling": {
-            "horizon": criteria.HORIZON,
-            "samples": criteria.SAMPLES,
-            **_words("settling"),
-        },
+        **told_card(
+            _peaks(system, swaim_booster(), eqs, stations), ROUGH if stations else WITHOUT, "alpha_g", "ft/s"
+        ),
+        "wanted": asdict(criteria.wanted()),
+        "engine": engine_gains(system),
+        "modes": BENDING,
+    }
+
+
+def told_card(peaks: list[dict[str, Any]], limits: str, gust: str, unit: str) -> dict[str, Any]:
+    """Return what is the same in the cards of all vehicles, with what goes into it.
+
+    Parameters
+    ----------
+    peaks : list of dict
+        The criteria in a gust: ``name``, ``terms``, ``factor`` and ``unit``.
+    limits : str
+        What this vehicle's card cannot tell.
+    gust : str
+        The input that is the gust.
+    unit : str
+        Of speeds.
+    """
+    wanted_gust = f"gust_{unit.replace('/', '_')}"
+    return {
+        "settling": {"horizon": criteria.HORIZON, "samples": criteria.SAMPLES, **_words("settling")},
         "gusts": {
+            "input": gust,
+            "peak": wanted_gust,
+            "unit": unit,
             "durations": gusts.DURATIONS,
             "count": gusts.COUNT,
             "fine": gusts.FINE,
             "step": criteria.GUST_STEP,
         },
-        "peaks": _peaks(system, swaim_booster(), eqs, stations),
+        "peaks": [{**each, **_words(each["name"])} for each in peaks],
         "stable": criteria.STABLE,
-        "engine": engine_gains(system),
-        "modes": BENDING,
         "near": NEAR,
         "margins": MARGINS,
-        "note": f"{NOTE} {ROUGH if stations else WITHOUT}",
+        "note": f"{NOTE} {limits}",
     }
 
 
@@ -148,5 +169,5 @@ def judged(
     def at_scale(scale: float) -> control.StateSpace:
         return closed_loop(**{**values, **{name: scale * values[name] for name in engine_gains(system)}})
 
-    modes = {name: float(values[omega]) for name, omega in BENDING.items()}
+    modes = {name: unit * float(values[omega]) for name, (omega, unit) in BENDING.items()}
     return criteria.evaluate(with_moments(closed, loads), eqs.U, cut_loop(at_scale, 1.0), modes)

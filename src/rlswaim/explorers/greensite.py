@@ -4,19 +4,23 @@ The characteristic polynomial is affine in each gain, as actuator, delay and not
 The frequency of the mode enters by itself and by its square, as a station enters by the mode shapes there.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from rlswaim.explorers.criteria_card import told_card
 from rlswaim.explorers.parameter import Parameter, Value
 from rlswaim.explorers.workbench import Explorer
 from rlswaim.figures.style import COLORS
 from rlswaim.loops.family import Family
 from rlswaim.loops.multiaffine import Forms, MultiAffine, forms
+from rlswaim.practice import criteria
 from rlswaim.practice.agreement import RIGID, WITH_NOTCH, unrounded_gains
-from rlswaim.practice.greensite import closed_loop, greensite, vehicle
+from rlswaim.practice.greensite import closed_loop, greensite, judged, vehicle, wanted_in_metres
 from rlswaim.source import checks
+from rlswaim.source.tables import constants
 
 PERCENT = tuple(range(80, 121))
 """Places of the slider of the mode's frequency, in percent of its own."""
@@ -126,6 +130,35 @@ def presets() -> list[dict[str, Any]]:
     ]
 
 
+UNKNOWN = (
+    "Nothing commands the pitch angle here, so nothing settles. Masses along the vehicle are not known, so "
+    "neither is its bending moment."
+)
+"""What the card of criteria cannot tell of this vehicle."""
+
+
+def sent_criteria() -> dict[str, Any]:
+    """Return what the browser evaluates the criteria from, in m/s."""
+    c, units = constants("greensite"), {**criteria.UNITS, "drift_m_s": "m/s"}
+    terms: dict[str, list[tuple[str, int, float, tuple[str, ...]]]] = {
+        "alpha_deg": [("theta", 0, 1.0, ()), ("z", 1, 1 / c["V"], ()), ("alpha_w", 0, -1.0, ())],
+        "delta_deg": [("delta", 0, 1.0, ())],
+        "delta_rate_deg_s": [("delta", 1, 1.0, ())],
+        "drift_m_s": [("z", 1, 1.0, ())],
+    }
+    peaks: list[dict[str, Any]] = [
+        {"name": name, "terms": sums, "factor": criteria.DEG if "deg" in name else 1.0, "unit": units[name]}
+        for name, sums in terms.items()
+    ]
+    return {
+        **told_card(peaks, UNKNOWN, "alpha_w", "m/s"),
+        "wanted": wanted_in_metres(criteria.wanted()),
+        "engine": ["loop_gain"],
+        "modes": {"bending 1": ("omega", c["omega"] / 100)},
+        "speed": c["V"],
+    }
+
+
 def payload(notch: bool, found: Forms) -> dict[str, Any]:
     """Return what the browser gets.
 
@@ -152,6 +185,7 @@ def payload(notch: bool, found: Forms) -> dict[str, Any]:
         "running": {**gains, "omega": {"ends": [PERCENT[0], PERCENT[-1]], "step": 1, "unit": "%"}},
         "maps": ["omega"],
         "vehicle": None,
+        "criteria": sent_criteria(),
         "reach": 30.0,
         "presets": presets(),
         "python": {
@@ -192,4 +226,8 @@ def greensite_explorer(notch: bool = True, **values: Value) -> Explorer:
     def loop(omega: float, **gains: float) -> Any:
         return closed_loop(notch=notch, omega=omega / 100, **gains)
 
-    return Explorer("greensite", parameters(), sent, loop, {**sent["presets"][0]["values"], **values})
+    def criteria_at(values: Mapping[str, Any]) -> tuple[criteria.Criterion, ...]:
+        return judged(**{**values, "omega": values["omega"] / 100}, notch=notch)
+
+    start = {**sent["presets"][0]["values"], **values}
+    return Explorer("greensite", parameters(), sent, loop, start, criteria_at)

@@ -37,7 +37,7 @@ class Explorer(LiveView):
         payload: Mapping[str, Any],
         closed_loop: Callable[..., control.StateSpace],
         values: Mapping[str, Value],
-        judged: Callable[[Mapping[str, Value]], tuple[Criterion, ...]] | None = None,
+        judged: Callable[[Mapping[str, Value]], tuple[Criterion, ...]],
     ) -> None:
         self.system, self._closed_loop, self._judged = system, closed_loop, judged
         super().__init__(parameters, payload, values)
@@ -51,15 +51,7 @@ class Explorer(LiveView):
         return self.closed_loop().poles()
 
     def criteria(self) -> tuple[Criterion, ...]:
-        """Return the criteria of the closed loop under the sliders, those of the view's card.
-
-        Raises
-        ------
-        TypeError
-            If the view's vehicle has no criteria.
-        """
-        if self._judged is None:
-            raise TypeError(f"criteria in {self.system} explorer: got another vehicle, wanted the report's")
+        """Return the criteria of the closed loop under the sliders, those of the view's card."""
         return self._judged(self.values())
 
     def draw(self, ax: Axes) -> Axes:

@@ -1,4 +1,4 @@
-"""Criteria in time and frequency, evaluated for any closed loop of the report's family.
+"""Criteria in time and frequency, evaluated for any closed loop of a vehicle that flies through a gust.
 
 What is wanted stands in ``data/criteria.csv``, with its source; `Wanted` holds it and can be varied.
 """
@@ -166,7 +166,8 @@ def evaluate(
     Parameters
     ----------
     closed_loop : control.StateSpace
-        Inputs theta_c, alpha_g; outputs alpha, theta, delta, perhaps delta_r and "moment <station>".
+        Inputs alpha_g, perhaps theta_c, without which nothing settles; outputs alpha, theta, delta,
+        perhaps delta_r and "moment <station>".
     U : float
         Speed (ft/s).
     open_loop : control.StateSpace, optional
@@ -185,13 +186,11 @@ def evaluate(
         have no bound of their own: what is wanted of them is nan.  A loop that is not stable has no
         margins: they are nan, and not met.
     """
-    want = want or wanted()
-    found = [
-        Criterion(
-            "settling", settling_time(closed_loop, want.band, allowed=allowed), want.settling, "s", True
-        ),
-        *_gust_criteria(closed_loop, U, want, allowed),
-    ]
+    want, found = want or wanted(), []
+    if "theta_c" in closed_loop.input_labels:
+        settled = settling_time(closed_loop, want.band, allowed=allowed)
+        found.append(Criterion("settling", settled, want.settling, "s", True))
+    found += _gust_criteria(closed_loop, U, want, allowed)
     if open_loop is None:
         return tuple(found)
     if closed_loop.poles().real.max() <= allowed:

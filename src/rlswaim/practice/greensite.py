@@ -22,12 +22,14 @@ M_thetadot and the air's forces on and by the mode (M_q1, M_q1dot, F1_alpha ...)
 is driven by the engine alone and drives nothing but the instruments.
 """
 
+from dataclasses import asdict, replace
 from typing import Any
 
 import control
 import numpy as np
 from numpy.typing import NDArray
 
+from rlswaim.practice import criteria
 from rlswaim.practice.blocks import delay, gain, notch, second_order
 from rlswaim.source import checks
 from rlswaim.source.tables import constants
@@ -35,6 +37,8 @@ from rlswaim.source.tables import constants
 RIGID = ("z", "zdot", "theta", "thetadot")
 MODE = ("eta", "etadot")
 GAINS = ("K_p", "K_d", "K_z", "K_zdot", "loop_gain")
+FOOT = 0.3048
+"""Metres."""
 
 
 def vehicle(
@@ -222,3 +226,47 @@ def closed_loop(**given: Any) -> control.StateSpace:
     return control.interconnect(
         blocks, name="greensite", inputs=["alpha_w"], outputs=[*states, "delta", "alpha"]
     )
+
+
+def wanted_in_metres(want: criteria.Wanted) -> dict[str, float]:
+    """Return what is ``want``ed by name, with drift_m_s and gust_m_s in place of drift_ft_s and gust_ft_s."""
+    speeds = {name.replace("_ft_", "_m_"): FOOT * getattr(want, name) for name in ("drift_ft_s", "gust_ft_s")}
+    return {name: size for name, size in asdict(want).items() if "_ft_" not in name} | speeds
+
+
+def judged(**given: Any) -> tuple[criteria.Criterion, ...]:
+    """Return the criteria of chapter XVI for the closed loop of `greensite`, with the same arguments.
+
+    Parameters
+    ----------
+    **given
+        As in `greensite`.
+
+    Returns
+    -------
+    tuple of Criterion
+        The drift in m/s; nothing settles, as nothing commands the pitch angle, and no bending moment is
+        known, as the source tells no masses along the vehicle.
+    """
+    c, closed = constants("greensite"), closed_loop(**given)
+    rows = {name: closed.C[i] for i, name in enumerate(closed.output_labels)}
+    # Here the gust is an incidence from the other side, and alpha leaves it out.
+    alone = control.ss(
+        closed.A,
+        -closed.B,
+        np.vstack([rows["theta"] + rows["zdot"] / c["V"], rows["theta"], rows["delta"]]),
+        np.zeros((3, 1)),
+        inputs="alpha_g",
+        outputs=["alpha", "theta", "delta"],
+    )
+    modes = {"bending 1": given.get("omega", 1.0) * c["omega"]}
+    found = criteria.evaluate(alone, c["V"] / FOOT, greensite(**given), modes)
+    return tuple(map(_in_metres, found))
+
+
+def _in_metres(found: criteria.Criterion) -> criteria.Criterion:
+    """Return a criterion with metres for feet."""
+    if found.unit != "ft/s":
+        return found
+    name = found.name.replace("_ft_", "_m_")
+    return replace(found, name=name, value=FOOT * found.value, wanted=FOOT * found.wanted, unit="m/s")

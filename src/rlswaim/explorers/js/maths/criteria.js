@@ -18,8 +18,9 @@ import { along, factorsOf, polynomial, polynomialOf } from './terms.js';
  *   symbol: string, says: string }} Peak
  * @typedef {{ wanted: Record<string, number>, stable: number, engine: string[], near: number,
  *   settling: { horizon: number, samples: number, symbol: string, says: string },
- *   gusts: import('./gust_peaks.js').Gusts, peaks: Peak[], modes: Record<string, string>,
- *   margins: Record<string, string>, note: string }} Asked
+ *   gusts: import('./gust_peaks.js').Gusts & { input: string, peak: string, unit: string },
+ *   peaks: Peak[], modes: Record<string, [parameter: string, unit: number]>,
+ *   margins: Record<string, string>, speed?: number, note: string }} Asked
  * @typedef {{ name: string, value: number, bound: number | null, unit: string, atMost: boolean }} Criterion
  */
 
@@ -62,14 +63,14 @@ function numeratorOf({ terms }, numerators, data, length) {
  * @param {System & { criteria: Asked }} system @param {State} state @param {Part[]} parts
  */
 function peaksAt(system, state, parts) {
-  const { peaks, gusts, wanted } = system.criteria;
-  const { U } = system.vehicle;
+  const { peaks, gusts, wanted, speed } = system.criteria;
+  const U = speed ?? system.vehicle.U;
   const D = polynomialOf(system, state);
   const n = D.length - 1;
   const factors = factorsOf(system, state);
   /** @type {Record<string, ArrayLike<number>>} */
-  const numerators = { alpha_g: D };
-  for (const [output, terms] of Object.entries(numeratorsOf(system, state, 'alpha_g')))
+  const numerators = { [gusts.input]: D };
+  for (const [output, terms] of Object.entries(numeratorsOf(system, state, gusts.input)))
     numerators[output] = polynomial(terms, factors);
   const weights = system.plant?.weights ?? {};
   const outputs = peaks.map((peak) => {
@@ -78,8 +79,11 @@ function peaksAt(system, state, parts) {
     const N = numeratorOf(peak, numerators, data, n + 1);
     return { ...residues(N, parts), through: N[n] / D[n] };
   });
-  return worstPeaks(parts, outputs, gusts).map((peak) => (peak * wanted.gust_ft_s) / U);
+  return worstPeaks(parts, outputs, gusts).map((peak) => (peak * wanted[gusts.peak]) / U);
 }
+
+/** Whether anything commands theta. @param {System} system */
+const isCommanded = ({ numerators }) => !numerators || 'theta_c' in numerators;
 
 /**
  * When theta comes to stay in its band about a step of its command (s).
@@ -174,16 +178,19 @@ export function evaluateCriteria(system, state) {
   const isStable = Array.from(poles.x).every((re) => re <= stable);
   const parts = residueParts(setApart(poles, 1 / settling.horizon));
   const sizes = isStable ? peaksAt(system, state, parts) : peaks.map(() => Infinity);
-  const times = isStable ? settlingTime(system, state, parts) : Infinity;
-  const { burn } = system.plant;
+  const times = isStable && isCommanded(system) ? settlingTime(system, state, parts) : Infinity;
+  const burn = system.plant?.burn;
   /** @type {Record<string, number>} */
   const data = burn ? { ...burnData(burn, state) } : state;
-  const omegas = Object.fromEntries(Object.entries(modes).map(([name, omega]) => [name, data[omega]]));
+  const omegas = Object.fromEntries(
+    Object.entries(modes).map(([name, [at, unit]]) => [name, unit * data[at]]),
+  );
   const marks = Array.from(poles.x, (x, i) => ({ x, y: poles.y[i] }));
   const found = isStable ? engineMargins(system, state, engine, marks) : { gain: [], phase: [], disk: NaN };
   const told = marginCriteria(system.criteria, found, omegas);
+  const settled = { name: 'settling', value: times, bound: wanted.settling, unit: 's', atMost: true };
   return [
-    { name: 'settling', value: times, bound: wanted.settling, unit: 's', atMost: true },
+    ...(isCommanded(system) ? [settled] : []),
     ...peaks.map(({ name, factor, unit }, i) => ({
       name,
       value: sizes[i] * factor,

@@ -93,7 +93,8 @@ export class CriteriaCard {
     const [value, wanted, verdict] = [...row.cells].slice(1);
     set(value, valueWords(criterion, asked));
     set(wanted, bound === null ? '' : `${atMost ? '≤' : '≥'} ${withUnit(bound, unit)}`);
-    set(verdict, VERDICT.get(met) ?? '');
+    const isNear = bound !== null && number(criterion.value, DIGITS) === number(bound, DIGITS);
+    set(verdict, `${isNear ? 'just ' : ''}${VERDICT.get(met)}`);
     verdict.className = met === null ? 'fine' : met ? 'stable' : 'unstable';
   }
 
@@ -107,9 +108,12 @@ export class CriteriaCard {
     set(
       this.words,
       isStable
-        ? `θ settles when it stays within ${100 * wanted.band} % of a step of its command, ` +
-            `over ${settling.horizon} s. ` +
-            `Peaks are those of the worst 1 − cos gust of ${from} to ${to} s and ${wanted.gust_ft_s} ft/s. ` +
+        ? (found.some(({ name }) => name === 'settling')
+            ? `θ settles when it stays within ${100 * wanted.band} % of a step of its command, ` +
+              `over ${settling.horizon} s. `
+            : '') +
+            `Peaks are those of the worst 1 − cos gust of ${from} to ${to} s and ` +
+            `${withUnit(wanted[gusts.peak], gusts.unit)}. ` +
             'Margins are those of the loop cut at the engine’s command, by mode.'
         : 'This loop is not stable: its motions grow, and it has no margins.',
     );
