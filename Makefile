@@ -79,6 +79,7 @@ test: ready ## check everything: numbers, notebooks, contracts, and each built p
 	$(BIN)/python -m pytest -n auto --dist loadfile $(PYTEST)  # the tests of a file share what they prepare
 
 fuzz: book ## throw 2,000 random cases at each kind of loop, vehicle and bad input, each page's address, view and loop field
+	@$(BIN)/python tests/chromium.py
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest -n auto tests/test_fuzz.py tests/test_browser_*.py \
 	  tests/test_hostile_addresses.py tests/test_own_loop_fuzz.py
 

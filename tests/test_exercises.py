@@ -111,9 +111,9 @@ def chosen_designs(opened: LivePage, texts: dict[str, str]) -> None:
 def typed_loop(opened: LivePage, texts: dict[str, str]) -> None:
     """Check the loop and the gain that the workbench says it shows."""
     assert list(texts) == ["loop", "k"]
-    assert opened.page.evaluate("() => decodeURIComponent(location.hash)") == (
-        f"#own-loop:loop={texts['loop']},k={texts['k']}"
-    )
+    address = f"#own-loop:loop={texts['loop']},k={texts['k']}"
+    opened.page.wait_for_function("told => decodeURIComponent(location.hash) === told", arg=address)
+    opened.page.wait_for_function("() => document.querySelectorAll('table.poles tbody tr').length === 3")
     poles = [complex(float(row["re"]), float(row["im"])) for _, row in opened.rows("table.poles")]
     gain = float(texts["k"])
     assert paired(np.array(poles), np.roots([1, 2, 2, gain])) == pytest.approx(np.array(poles), abs=1e-9)

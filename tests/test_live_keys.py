@@ -64,6 +64,7 @@ def test_the_box_of_a_station_keeps_whole_numbers(shown):
         ("K_C", "0", 0.1, "K_C as typed is beyond its range 0.1 to 100: 0.1 is shown."),
         ("gyro", "9999", 420, "gyro as typed is beyond its range 0 to 420: 420 is shown."),
         ("gyro", "60.5", 60, "gyro as typed is not a whole number and is left out."),
+        ("K_A", "-1e-320", 0, "K_A as typed is too small to tell from 0: 0 is shown."),
         ("K_R", "0,x", 0.618, "K_R as typed is not a number and is left out."),
     ],
 )

@@ -1,10 +1,13 @@
 """Roots nearer to each other than sqrt(eps): factors fix them all the same, and 60 digits say where."""
 
+import control
 import mpmath
 import numpy as np
 import pytest
 
 import rlswaim as rl
+from rlswaim.rootlocus.polynomials import misfit
+from rlswaim.rootlocus.repeated_roots import points_of_polynomial
 from systems import mismatch
 
 
@@ -51,3 +54,41 @@ def test_clusters_of_poles_and_zeros(seed):
     for at in rng.choice(gains.size, 8, replace=False):
         wanted = roots_of_factors(zeros, poles, gains[at])
         assert mismatch(locus.roots[at], wanted) < 3e-15
+
+
+PAIRS = np.random.default_rng(6)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_pairs_repeated_beside_each_other_fit_all_coefficients(count):
+    """(s^2 + 2 a s + a^2 (1 + b^2))^count, where b is down to .01: one pair."""
+    for a, b in zip(10 ** PAIRS.uniform(0, 2, 60), 10 ** PAIRS.uniform(-2, 0, 60), strict=True):
+        p = np.poly(np.repeat([-a + 1j * a * b, -a - 1j * a * b], count)).real
+        poles = points_of_polynomial(p[::-1]).values
+        assert misfit(p[::-1], poles) < 1e-13, (a, b)
+        assert mismatch(poles, np.repeat([-a + 1j * a * b, -a - 1j * a * b], count)) < 1e-8, (a, b)
+
+
+def test_a_triple_pair_near_the_axis_carries_its_locus():
+    """The poles' polynomial is the given one, so that the branches leave along the given one too."""
+    p = np.array([1.0])
+    for _ in range(3):
+        p = np.convolve(p, [1, 200, 10000.01])
+    locus = rl.root_locus(control.tf([1], p))
+    assert mismatch(locus.poles, np.repeat([-100 + 0.1j, -100 - 0.1j], 3)) < 1e-10
+    for gain, roots in zip(locus.gains, locus.roots, strict=True):
+        assert misfit(p[::-1] + gain * np.eye(7)[0], roots) < 1e-13
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_groups_of_any_kind_fit_all_coefficients(seed):
+    """Real and complex roots of any multiplicity, down to a thousandth of their size from each other."""
+    rng = np.random.default_rng(seed)
+    for _ in range(40):
+        size, roots = 10 ** rng.uniform(-1, 2), []
+        for _ in range(rng.integers(1, 4)):
+            x = -size * (1 + rng.choice([-1, 1]) * 10 ** rng.uniform(-3, 0))
+            y = size * 10 ** rng.uniform(-3, 0) * rng.integers(0, 2)
+            roots += [x + 1j * y, x - 1j * y][: 2 if y else 1] * int(rng.integers(1, 4))
+        p = np.poly(roots).real[::-1]
+        assert misfit(p, points_of_polynomial(p).values) < 1e-13, roots

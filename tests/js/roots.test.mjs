@@ -160,6 +160,17 @@ test('ill-conditioned roots are mended where rounding moved them by more than 1e
   assert.equal(evaluatePrecisely([1 + EPS, -2, 1], 1, 0)[0], EPS);
 });
 
+/** How far the coefficients of the roots found are from c, in the unit of the sizes of their terms. */
+function misfit(c, found) {
+  const each = found.flatMap((root) => new Array(root.count).fill(root));
+  const [x, y] = ['x', 'y'].map((axis) => each.map((root) => root[axis]));
+  const unit = expanded({ x: each.map((root) => -Math.hypot(root.x, root.y)), y: y.map(() => 0) });
+  return Math.max(
+    ...expanded({ x, y }).map((v, k) => Math.abs(v - c[k]) / unit[k]),
+    Math.abs(x.length + 1 - c.length),
+  );
+}
+
 test('multiple roots of random polynomials are found with their multiplicity', () => {
   const random = seeded(3);
   for (let i = 0; i < 50; i++) {
@@ -167,10 +178,32 @@ test('multiple roots of random polynomials are found with their multiplicity', (
     const double = [-0.3 - 0.2 * random(), -0.3];
     const points = { x: [...x, double[0], double[0]], y: [...y, 0, 0] };
     const c = expanded(points);
-    const count = distinctRoots(c, c).filter(
-      (root) => root.count === 2 && Math.abs(root.x - double[0]) < 1e-9,
-    );
+    const found = distinctRoots(c, c);
+    const count = found.filter((root) => root.count === 2 && Math.abs(root.x - double[0]) < 1e-9);
     assert.equal(count.length, 1, JSON.stringify(points));
+    assert.ok(misfit(c, found) < 1e-14, JSON.stringify(points));
+  }
+});
+
+test('a double root at the origin stays there', () => {
+  const found = distinctRoots(Float64Array.of(0, 0, 2, 3, 1), Float64Array.of(0, 0, 2, 3, 1));
+  assert.deepEqual(
+    found.filter(({ count }) => count === 2).map(({ x, y }) => [x, y]),
+    [[0, 0]],
+  );
+  assert.equal(found.length, 3);
+});
+
+test('pairs that are repeated beside each other are found as such, or singly: all coefficients fit', () => {
+  const random = seeded(4);
+  for (let i = 0; i < 100; i++) {
+    const [a, b, m] = [10 ** (2 * random()), 10 ** (-2 + 2 * random()), 2 + Math.floor(3 * random())];
+    const [x, y] = [-a, b * a].map((v) => new Array(m).fill(v));
+    const c = expanded({ x: [...x, ...x], y: [...y, ...y.map((v) => -v)] });
+    const found = distinctRoots(c, c);
+    if (process.env.SHOW) console.log(a.toPrecision(4), b.toPrecision(3), m, found.length, misfit(c, found));
+    assert.ok(misfit(c, found) < 1e-11, JSON.stringify([a, b, m, found]));
+    if (found.length === 2) assert.ok(Math.abs(found[0].x + a) < 1e-6 * a && found[0].count === m);
   }
 });
 

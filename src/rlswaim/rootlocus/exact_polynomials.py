@@ -154,6 +154,7 @@ def refined_roots(polynomial: Exact, guess: NDArray) -> NDArray:
     Returns
     -------
     ndarray of complex, shape (n,)
+        The guess where the iteration does not end, as eigenvalues fit all coefficients at least together.
     """
 
     def slopes(s: NDArray, _: NDArray) -> tuple[NDArray, NDArray, NDArray]:
@@ -163,4 +164,8 @@ def refined_roots(polynomial: Exact, guess: NDArray) -> NDArray:
         slope, near = (np.array(part)[place, None] for part in zip(*found, strict=True))
         return np.where(s.imag < 0, slope.conj(), slope), near, np.ones(s.shape, bool)
 
-    return real_and_conjugate(aberth(slopes, guess[:, None], steps=12).values[:, 0])
+    # Real points would stay real, also where two of them stand for a pair: they start beside the axis.
+    side = 1e-8j * np.abs(guess) * (-1.0) ** np.arange(guess.size)
+    start = np.where(guess.imag == 0, guess + side, guess)
+    values, found, _ = aberth(slopes, start[:, None], steps=24)
+    return real_and_conjugate(values[:, 0]) if found[0] else guess

@@ -122,7 +122,8 @@ def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) ->
     """Return roots: approximations after Newton steps on the coefficients where they can only improve.
 
     A step is taken where it is small beside the distance to the next root, and larger than
-    the rounding error of the polynomial explains; multiple roots are left as they are.
+    the rounding error of the polynomial explains; multiple roots are left as they are.  Eigenvalues fit all
+    coefficients together, even where roots are near each other: what loses that is not taken.
     """
     found = approximations
     distance = np.abs(found[:, None] - found)
@@ -136,4 +137,25 @@ def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) ->
         if not useful.any():
             break
         found = found - np.where(useful, step, 0)
-    return found
+    if (np.abs(found - approximations) <= 1e-12 * np.abs(found)).all():
+        return found
+    return min(found, approximations, key=lambda s: misfit(coefficients, s))
+
+
+def misfit(coefficients: NDArray, s: NDArray) -> float:
+    """Return by how much of their terms' sizes the coefficients are missed by the polynomial with roots s.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (n + 1,)
+        Constant term first; the last is not 0.
+    s : ndarray of complex, shape (n,)
+
+    Returns
+    -------
+    float
+        Some units of rounding if these are the roots; inf where the terms overflow.
+    """
+    with np.errstate(all="ignore"):
+        off = np.abs(np.poly(s) - coefficients[::-1] / coefficients[-1]) / np.abs(np.poly(-np.abs(s)))
+    return float(np.nan_to_num(off, nan=np.inf).max())

@@ -13,6 +13,8 @@ from rlswaim.rootlocus.polynomials import horner, roots
 
 NEAR = 0.03
 """Repeated roots spread at most so far, relative to their size, when their coefficients are rounded."""
+FITS = 5
+"""Steps of the fit of repeated roots to all coefficients; their errors fall with the square at each."""
 ILL = 3e3
 """Roots are refined on exact integers if rounding moves one by more than so many times its own rounding."""
 
@@ -27,8 +29,8 @@ class Points(NamedTuple):
 def points_of_polynomial(coefficients: NDArray) -> Points:
     """Return the roots of a polynomial whose ``coefficients`` (constant term first) are the data.
 
-    A group of roots within 3 % of each other is one repeated root if the polynomial that has it
-    differs from the given one by rounding.  A repeated root has the group's mean.
+    A group of roots within 3 % of each other is one repeated root if the polynomial that has it, and all
+    others like it, differs from the given one by rounding.
     """
     at_origin = int(np.flatnonzero(coefficients)[0])
     p = coefficients[at_origin:]
@@ -37,10 +39,10 @@ def points_of_polynomial(coefficients: NDArray) -> Points:
     if (errors > ILL * EPS / 2 * np.abs(found)).any():
         found = refined_roots(exact(p), found)
         errors = _moved_by_rounding(p, found)
-    values = found.copy()
-    for group, center in _repeated_groups(p, Points(found, errors)):
-        values[group] = center
-        errors[group] = _moved_by_rounding(_taylor(p, len(group) - 1), np.array([center]))
+    groups = list(_repeated_groups(p, Points(found, errors)))
+    values = _together(p, found, groups)
+    for group, _ in groups if values is not found else ():
+        errors[group] = _moved_by_rounding(_taylor(p, len(group) - 1), values[group[:1]])
     nothing = np.zeros(at_origin)
     return Points(np.append(real_and_conjugate(values), nothing), np.append(errors, nothing))
 
@@ -146,10 +148,80 @@ def _repeated_groups(p: NDArray, points: Points) -> Iterator[tuple[list[int], co
             return
         for group in groups:
             which = members[group].tolist()
-            center = _center(_taylor(p, len(group) - 1), found[which])
-            if _is_repeated(p, center, len(group)):
-                free[which] = False
-                yield which, center
+            for parts in _readings(p, which, found[which]):
+                if all(_is_repeated(p, center, len(part)) for part, center in parts):
+                    free[which] = False
+                    yield from parts
+                    break
+
+
+def _readings(p: NDArray, which: list[int], group: NDArray) -> Iterator[list[tuple[list[int], complex]]]:
+    """Return what a group of roots near each other may be: one repeated root, or a repeated pair.
+
+    Parameters
+    ----------
+    p : ndarray, shape (n + 1,)
+    which : list of int
+        Numbers of the roots.
+    group : ndarray of complex
+        The roots.
+
+    Returns
+    -------
+    iterator of list of (list of int, complex)
+        The numbers that belong to each repeated root, and about where that is.
+    """
+    yield [(which, _center(_taylor(p, len(which) - 1), group))]
+    half = len(which) // 2
+    middle = group.mean().real
+    square = -((group - middle) ** 2).mean().real  # of the pair's distance from the axis: well conditioned
+    if 2 * half == len(which) and half > 1 and square > 0 and np.isin(group.conj(), group).all():
+        center = _center(_taylor(p, half - 1), np.array([middle + 1j * np.sqrt(square)]))
+        yield [(which[:half], center), (which[half:], center.conjugate())]
+
+
+def _together(p: NDArray, found: NDArray, groups: list[tuple[list[int], complex]]) -> NDArray:
+    """Return all roots of ``p``, those of a group as one repeated root; ``found`` if no such polynomial fits.
+
+    Gauss and Newton's steps [Zeng 2005] fit the distinct roots to all coefficients, each in the unit of its
+    rounding: where they lie on the surface of polynomials with such groups they are well conditioned.
+
+    Parameters
+    ----------
+    p : ndarray, shape (n + 1,)
+        Coefficients, constant term first.
+    found : ndarray of complex, shape (n,)
+        Its roots as single ones.
+    groups : list of (list of int, complex)
+        Members of each group, and about where the repeated root is.
+
+    Returns
+    -------
+    ndarray of complex, shape (n,)
+    """
+    if not groups:
+        return found
+    first, target = np.arange(found.size), p[::-1] / p[-1]
+    place = found.copy()
+    for group, center in groups:
+        first[group], place[group[0]] = group[0], center
+    distinct, which, counts = np.unique(first, return_inverse=True, return_counts=True)
+    s = place[distinct]
+    with np.errstate(all="ignore"):
+        unit = np.abs(np.poly(-np.abs(found)))
+        for _ in range(FITS):
+            off = (np.poly(np.repeat(s, counts)) - target) / unit
+            ways = [
+                np.append(0, np.poly(np.repeat(s, counts - (np.arange(s.size) == i)))) * -counts[i]
+                for i in range(s.size)
+            ]
+            slopes = np.stack(ways, axis=1) / unit[:, None]
+            if not np.isfinite(slopes).all():
+                return found
+            s = s - np.linalg.lstsq(slopes, off)[0]
+        s = real_and_conjugate(s)
+        left = np.abs(np.poly(np.repeat(s, counts)) - target) / unit
+    return s[which] if (left <= 4 * p.size * EPS).all() else found
 
 
 def _center(derivative_: NDArray, group: NDArray) -> complex:

@@ -40,6 +40,12 @@ function integersOf(rows) {
   return { rows: shifted, exponent };
 }
 
+/** A polynomial of given coefficients, without rounding. @param {ArrayLike<number>} c @returns {Exact} */
+export function exactly(c) {
+  const { rows, exponent } = integersOf([Array.from(c)]);
+  return { integers: rows[0], exponent };
+}
+
 /**
  * @param {Matrix} a
  * @param {Matrix} b

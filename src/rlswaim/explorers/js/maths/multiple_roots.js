@@ -1,5 +1,8 @@
 // The distinct roots of a polynomial with their multiplicities.
 import { roots } from './aberth.js';
+import { exactRoots } from './exact_roots.js';
+import { exactly } from './exact_transfer.js';
+import { fittedRoots, misfit } from './fitted_roots.js';
 import { distance, meanOf, ROUNDING } from './polynomials.js';
 import { sharpened } from './sharpened.js';
 
@@ -8,6 +11,7 @@ import { sharpened } from './sharpened.js';
 /** @typedef {{ x: number, y: number, count: number }} Root a root of a multiplicity */
 
 const CLUSTER = 0.1; // no roots farther apart than this part of their size are taken for one
+const FITS = 1e-6; // roots that are more than this off from a coefficient are not all the roots
 const KNOWN_CLUSTER = 0.01; // the same of roots that are known better than the coefficients tell
 
 /**
@@ -19,45 +23,65 @@ const KNOWN_CLUSTER = 0.01; // the same of roots that are known better than the 
  */
 export function distinctRoots(c, sizes, known) {
   if (c.length < 2) return [];
-  const { x, y } = known ?? sharpened(c, roots(c));
+  if (known) return withPairs(grouped(c, sizes, known, KNOWN_CLUSTER));
+  const near = sharpened(c, roots(c));
+  const found = grouped(c, sizes, near, CLUSTER);
+  const areSingle = found.every(({ count }) => count === 1);
+  const fitting = areSingle ? found : fittedRoots(c, sizes, found);
+  if (fitting && misfit(c, sizes, fitting) <= FITS) return withPairs(fitting);
+  // Each is a root to rounding, and yet they are not all of them: so many are near each other.
+  const exact = c.every(Number.isFinite) ? exactRoots(exactly(c)) : near;
+  const again = grouped(c, sizes, exact, CLUSTER);
+  return withPairs(fittedRoots(c, sizes, again) ?? grouped(c, sizes, exact, 0));
+}
+
+/**
+ * Roots in groups that may each be one multiple root, one of each pair.
+ * @param {Float64Array} c
+ * @param {Coefficients} sizes
+ * @param {{ x: number[], y: number[] }} all
+ * @param {number} widest of a group, as a part of its size
+ * @returns {Root[]}
+ */
+function grouped(c, sizes, { x, y }, widest) {
   const partner = conjugates(x, y);
   const left = new Set(x.keys());
   /** @type {Root[]} */
   const found = [];
   for (const i of x.keys()) {
     if (!left.has(i) || y[i] < 0) continue;
-    const { members, x: at, y: up } = clusterOf(c, sizes, x, y, i, left, known ? KNOWN_CLUSTER : CLUSTER);
+    const { members, count, x: at, y: up } = clusterOf(c, sizes, x, y, i, left, widest);
     for (const j of members) {
       left.delete(j);
       left.delete(partner[j]);
     }
-    found.push({ x: at, y: up, count: members.length });
-    if (up > 0) found.push({ x: at, y: -up, count: members.length });
+    found.push({ x: at, y: up, count });
   }
   return found;
 }
 
-// For each root the number of its conjugate, its own if it is real. A root that has lost its conjugate counts
-// as real.
+/** Each root of a real function that lies above the axis, with its conjugate. @param {Root[]} upper */
+const withPairs = (upper) =>
+  upper.flatMap((root) => (root.y === 0 ? [root] : [root, { ...root, y: -root.y }]));
+
+// For each root the number of its conjugate, its own if it is real: nearest ones first. A root that has lost its
+// conjugate counts as real.
 /**
  * @param {number[]} x
  * @param {number[]} y
  */
 function conjugates(x, y) {
   const partner = Array.from(x.keys());
-  const lower = new Set(partner.filter((i) => y[i] < 0));
-  for (const i of x.keys()) {
-    if (y[i] <= 0) continue;
-    let least = Infinity;
-    for (const j of lower) {
-      const off = distance(x[j] - x[i], y[j] + y[i]);
-      if (off < least) [least, partner[i]] = [off, j];
-    }
-    if (least === Infinity) y[i] = 0;
-    else lower.delete(partner[i]);
-    partner[partner[i]] = i;
+  const [upper, lower] = [1, -1].map((side) => new Set(partner.filter((i) => side * y[i] > 0)));
+  const off = (/** @type {number[]} */ [i, j]) => distance(x[j] - x[i], y[j] + y[i]);
+  const pairs = [...upper].flatMap((i) => [...lower].map((j) => [i, j]));
+  for (const [i, j] of pairs.sort((a, b) => off(a) - off(b))) {
+    if (!upper.has(i) || !lower.has(j)) continue;
+    upper.delete(i);
+    lower.delete(j);
+    [partner[i], partner[j]] = [j, i];
   }
-  for (const i of lower) y[i] = 0;
+  for (const i of [...upper, ...lower]) y[i] = 0;
   return partner;
 }
 
@@ -72,7 +96,7 @@ function conjugates(x, y) {
  * @param {number} widest of a group, as a part of its size
  */
 function clusterOf(c, sizes, x, y, i, left, widest) {
-  const alone = { members: [i], x: x[i], y: y[i] };
+  const alone = { members: [i], count: 1, x: x[i], y: y[i] };
   const off = (/** @type {number} */ j) => distance(x[j] - x[i], y[j] - y[i]);
   const farthest = widest * distance(x[i], y[i]);
   const near = [i];
@@ -86,9 +110,28 @@ function clusterOf(c, sizes, x, y, i, left, widest) {
     const [mx, my] = [x, y].map((v) => meanOf(v, members));
     const real = members.some((j) => y[j] === 0) || members.some((j) => y[j] * my < 0);
     const at = polishedMultiple(c, m, mx, real ? 0 : my);
-    if (isMultiple(c, sizes, m, at[0], at[1])) return { members, x: at[0], y: at[1] };
+    if (isMultiple(c, sizes, m, at[0], at[1])) return { members, count: m, x: at[0], y: at[1] };
+    const pair = real && repeatedPair(c, sizes, x, y, members);
+    if (pair) return pair;
   }
   return alone;
+}
+
+// A group about the axis as a pair that is repeated: its mean and its mean square fix where.
+/**
+ * @param {Float64Array} c
+ * @param {Coefficients} sizes
+ * @param {number[]} x
+ * @param {number[]} y
+ * @param {number[]} members
+ */
+function repeatedPair(c, sizes, x, y, members) {
+  const count = members.length / 2;
+  const mx = meanOf(x, members);
+  const square = members.reduce((sum, j) => sum + y[j] ** 2 - (x[j] - mx) ** 2, 0) / members.length;
+  if (count < 2 || !Number.isInteger(count) || !(square > 0)) return null;
+  const at = polishedMultiple(c, count, mx, Math.sqrt(square));
+  return isMultiple(c, sizes, count, at[0], at[1]) ? { members, count, x: at[0], y: Math.abs(at[1]) } : null;
 }
 
 // The derivatives of c at a point over j!, for j = 0 ... m, and the sums of the sizes of their terms.

@@ -6,6 +6,10 @@ import { number } from '../drawing/numbers.js';
 
 const LONGEST = 40; // characters of a text from elsewhere that are shown
 
+// Nearer to 0 than this, times the largest place of its slider, a value moves no root by a digit; but its
+// product with a few others might be too small for a number.
+const SMALLEST = 1e-60;
+
 /** Where a value comes from, in words. */
 const ADDRESS = 'from the address';
 
@@ -28,6 +32,8 @@ export function valueFrom({ name, grid }, text, origin = ADDRESS) {
   if (!isWhole && grid.every(Number.isInteger)) return { note: leftOut(name, 'not a whole number', origin) };
   const [first, last] = [grid[0], grid.at(-1)];
   const bounded = Math.min(Math.max(value, first), last);
+  if (bounded !== 0 && Math.abs(bounded) < SMALLEST * Math.max(-first, last))
+    return { value: 0, note: `${name} ${origin} is too small to tell from 0: 0 is shown.` };
   if (bounded === value) return { value };
   const range = `${number(first)} to ${number(last)}`;
   const note = `${name} ${origin} is beyond its range ${range}: ${number(bounded)} is shown.`;
