@@ -92,3 +92,20 @@ def test_groups_of_any_kind_fit_all_coefficients(seed):
             roots += [x + 1j * y, x - 1j * y][: 2 if y else 1] * int(rng.integers(1, 4))
         p = np.poly(roots).real[::-1]
         assert misfit(p, points_of_polynomial(p).values) < 1e-13, roots
+
+
+@pytest.mark.parametrize(
+    ("place", "singles", "pairs"), [(35, 3, 1), (31, 3, 1), (35, 1, 2), (52, 1, 2), (35, 2, 2)]
+)
+def test_a_real_factor_in_a_group_of_poles_is_cancelled_as_a_real_one(place, singles, pairs):
+    """(s - a)/((s - a)^m ((s - a)^2 + .01)^n): what rests is real, what moves keeps its pairs."""
+    den = np.poly([place] * singles)
+    for _ in range(pairs):
+        den = np.polymul(den, [1, -2 * place, place**2 + 0.01])
+    locus = rl.root_locus(control.tf([1, -place], den))
+    assert locus.loop.resting.size <= 1
+    assert (locus.loop.resting.imag == 0).all()
+    for roots in locus.roots:
+        assert sorted(roots.tolist(), key=lambda s: (s.real, s.imag)) == sorted(
+            roots.conj().tolist(), key=lambda s: (s.real, s.imag)
+        )

@@ -66,10 +66,14 @@ class OpenLoop:
 
     @cached_property
     def _common(self) -> tuple[NDArray, NDArray]:
-        """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding."""
+        """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding.
+
+        A real zero meets a real pole only, and one above the axis a pole there: pairs stay pairs.
+        """
         (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
         gone_poles, gone = np.zeros(poles.size, bool), np.zeros(zeros.size, bool)
         beyond = np.abs(zeros[:, None] - poles) - 8 * (zero_errors[:, None] + pole_errors)
+        beyond[np.sign(zeros.imag)[:, None] != np.sign(poles.imag)] = np.inf
         for i in np.flatnonzero((beyond <= 0).any(axis=1)):
             at = int(np.where(gone_poles, np.inf, beyond[i]).argmin())
             if beyond[i, at] <= 0 and not gone_poles[at]:

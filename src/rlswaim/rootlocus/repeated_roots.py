@@ -141,7 +141,7 @@ def _repeated_groups(p: NDArray, points: Points) -> Iterator[tuple[list[int], co
     """
     found, explained = points.values, _explained(points)
     free = np.ones(found.size, dtype=bool)
-    for near in NEAR / 2 * 0.1 ** np.arange(8):
+    for near in NEAR / 2 * 0.5 ** np.arange(26):
         members = np.flatnonzero(free)
         groups = linked(found[members], np.minimum(near * np.abs(found), explained)[members])
         if not groups:

@@ -119,7 +119,8 @@ function gathered({ x, y }) {
   return [...found.values()];
 }
 
-// Takes out of poles and zeros what they have in common, nearest ones first, and returns it.
+// Takes out of poles and zeros what they have in common, nearest ones first, and returns it. A real zero meets a
+// real pole only, and one above the axis a pole there: pairs stay pairs.
 /**
  * @param {{ poles: Root[], zeros: Root[] }} parts
  * @param {(zero: Root, pole: Root) => boolean} same
@@ -131,7 +132,8 @@ function cancelled(parts, same) {
   for (const zero of parts.zeros) {
     for (const pole of parts.poles) {
       const apart = distance(zero.x - pole.x, zero.y - pole.y);
-      if (apart <= NEAR * distance(pole.x, pole.y)) pairs.push({ zero, pole, apart });
+      const areAlike = Math.sign(zero.y) === Math.sign(pole.y);
+      if (areAlike && apart <= NEAR * distance(pole.x, pole.y)) pairs.push({ zero, pole, apart });
     }
   }
   if (pairs.length === 0) return [];
