@@ -109,3 +109,30 @@ def test_a_real_factor_in_a_group_of_poles_is_cancelled_as_a_real_one(place, sin
         assert sorted(roots.tolist(), key=lambda s: (s.real, s.imag)) == sorted(
             roots.conj().tolist(), key=lambda s: (s.real, s.imag)
         )
+
+
+SHARED = {
+    "zero-known-better": ([[1, 0, 6400]], [[1, 0, 6400], [1, 0, 6400], [1, -2e-4, 6400 + 1e-8]]),
+    "pole-known-better": (
+        [[1, 0], [1, 100], [1, 200, 10000.01], [1, 200, 10001]],
+        [[1, 0, 0.01], [1, 0, 0.01], [1, 200, 10000.01]],
+    ),
+    "phase-at-rest": ([[1, 1], [1, 10, 26], [1, 10, 26]], [[1, 2, 2], [1, 10, 26], [1, 10, 26]]),
+}
+
+
+def product(factors):
+    p = np.array([1.0])
+    for factor in factors:
+        p = np.polymul(p, factor)
+    return p
+
+
+@pytest.mark.parametrize("case", SHARED)
+def test_a_common_factor_in_a_group_leaves_the_others_fitting(case):
+    """What is known of a common factor from the other polynomial is not put in place of one root alone."""
+    num, den = (product(factors) for factors in SHARED[case])
+    locus = rl.root_locus(control.tf(num, den))
+    assert locus.loop.resting.size >= 2
+    for gain, roots in zip(locus.gains, locus.roots, strict=True):
+        assert misfit(np.polyadd(den, gain * num)[::-1], roots) < 1e-10

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.signal import ZerosPolesGain
 
 from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
-from rlswaim.rootlocus.polynomials import trimmed
+from rlswaim.rootlocus.polynomials import misfit, trimmed
 from rlswaim.rootlocus.repeated_roots import Points, points_of_polynomial
 from rlswaim.rootlocus.state_space import transfer_of_state_space
 from rlswaim.source import checks
@@ -66,18 +66,10 @@ class OpenLoop:
 
     @cached_property
     def _common(self) -> tuple[NDArray, NDArray]:
-        """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding.
-
-        A real zero meets a real pole only, and one above the axis a pole there: pairs stay pairs.
-        """
-        (zeros, zero_errors), (poles, pole_errors) = self.zero_points, self.pole_points
-        gone_poles, gone = np.zeros(poles.size, bool), np.zeros(zeros.size, bool)
-        beyond = np.abs(zeros[:, None] - poles) - 8 * (zero_errors[:, None] + pole_errors)
-        beyond[np.sign(zeros.imag)[:, None] != np.sign(poles.imag)] = np.inf
-        for i in np.flatnonzero((beyond <= 0).any(axis=1)):
-            at = int(np.where(gone_poles, np.inf, beyond[i]).argmin())
-            if beyond[i, at] <= 0 and not gone_poles[at]:
-                gone_poles[at] = gone[i] = True
+        """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding."""
+        found, at = _common_factors(self.zero_points, self.pole_points)
+        gone_poles, gone = np.zeros(self.poles.size, bool), np.zeros(self.zeros.size, bool)
+        gone_poles[at] = gone[found] = True
         return gone_poles, gone
 
     @cached_property
@@ -118,6 +110,52 @@ class OpenLoop:
         if (np.abs(gains) > most).any():
             at = int(np.flatnonzero(np.abs(gains) > most)[0])
             raise ValueError(f"gains[{at}] in {WHERE}: got {gains[at]:g}, wanted at most {most:.3g} in size")
+
+
+def _common_factors(zero_points: Points, pole_points: Points) -> tuple[NDArray, NDArray]:
+    """Return the numbers (c,) of zeros, and of poles, that are the same point but for rounding.
+
+    A real zero meets a real pole only, and one above the axis a pole there: pairs stay pairs.
+    """
+    (zeros, zero_errors), (poles, pole_errors) = zero_points, pole_points
+    beyond = np.abs(zeros[:, None] - poles) - 8 * (zero_errors[:, None] + pole_errors)
+    beyond[np.sign(zeros.imag)[:, None] != np.sign(poles.imag)] = np.inf
+    found: list[tuple[int, int]] = []
+    for i in np.flatnonzero((beyond <= 0).any(axis=1)):
+        at = int(beyond[i].argmin())
+        if beyond[i, at] <= 0:
+            found.append((int(i), at))
+            beyond[:, at] = np.inf
+    numbers = np.array(found, int).reshape(-1, 2)
+    return numbers[:, 0], numbers[:, 1]
+
+
+def _sharing(points: Points, others: Points, which: NDArray, coefficients: NDArray) -> Points:
+    """Return the roots of a polynomial, some of which are those of ``others`` that are known better.
+
+    One root of a group cannot be moved by itself: the others are those of the quotient then.
+
+    Parameters
+    ----------
+    points : Points
+        All roots of the polynomial.
+    others : Points
+        Those that some of them are.
+    which : ndarray of int
+        The numbers of these among ``points``.
+    coefficients : ndarray, shape (n + 1,)
+        The polynomial, constant term first.
+    """
+    off = np.abs(points.values[which] - others.values)
+    if (off <= 64 * EPS * np.abs(others.values)).all() or others.errors.max() > points.errors[which].max():
+        return points
+    at_origin, elsewhere = int(np.flatnonzero(coefficients)[0]), others.values[others.values != 0]
+    quotient = np.polydiv(coefficients[at_origin:][::-1], np.poly(elsewhere).real)[0]
+    left = np.zeros(at_origin - others.values.size + elsewhere.size)
+    rest = points_of_polynomial(np.append(left, quotient[::-1]))
+    found = Points(*(np.concatenate(parts) for parts in zip(others, rest, strict=True)))
+    known = (others.errors / np.maximum(np.abs(others.values), SMALLEST)).max()
+    return found if misfit(coefficients, found.values) <= known + 8 * coefficients.size * EPS else points
 
 
 def open_loop(system: System) -> OpenLoop:
@@ -215,6 +253,13 @@ def _from_transfer(system: control.TransferFunction) -> OpenLoop:
             "wanted ratios that floats hold"
         )
     zeros, poles = points_of_polynomial(numerator), points_of_polynomial(denominator)
+    in_zeros, in_poles = _common_factors(zeros, poles)
+    if in_zeros.size:
+        shared = [
+            Points(*(part[at] for part in points)) for points, at in ((zeros, in_zeros), (poles, in_poles))
+        ]
+        poles = _sharing(poles, shared[0], in_poles, denominator)
+        zeros = _sharing(zeros, shared[1], in_zeros, numerator)
     return OpenLoop(zeros, poles, float(numerator[-1]), numerator, denominator, system.dt)
 
 

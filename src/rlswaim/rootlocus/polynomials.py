@@ -3,6 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+TINY = float(np.finfo(float).tiny)
+
 
 def determinant(matrix: NDArray) -> NDArray:
     """Return the determinant of a polynomial matrix, expanded along its first row.
@@ -157,5 +159,6 @@ def misfit(coefficients: NDArray, s: NDArray) -> float:
         Some units of rounding if these are the roots; inf where the terms overflow.
     """
     with np.errstate(all="ignore"):
-        off = np.abs(np.poly(s) - coefficients[::-1] / coefficients[-1]) / np.abs(np.poly(-np.abs(s)))
-    return float(np.nan_to_num(off, nan=np.inf).max())
+        off = np.abs(np.poly(s) - coefficients[::-1] / coefficients[-1])
+        off /= np.maximum(np.abs(np.poly(-np.abs(s))), TINY)  # 0 below roots at the origin
+    return float(np.nan_to_num(off, nan=np.inf).max(initial=0.0))

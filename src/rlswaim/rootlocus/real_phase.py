@@ -198,7 +198,10 @@ def _bracketed(phases: Phases, cells: _Intervals, target: NDArray) -> NDArray:
         value = own.offsets + own.terms(omega).sum(axis=0) - target
         beyond = (value > 0) == rising
         low, high = np.where(beyond, low, omega), np.where(beyond, omega, high)
-        step = omega - value / own.slope(omega)
+        with np.errstate(
+            divide="ignore", invalid="ignore"
+        ):  # the phase may rest where it is a multiple of pi
+            step = omega - value / own.slope(omega)
         settled = np.abs(value) <= rounding  # the last step: another would follow rounding alone
         inside = (step >= low) & (step <= high)
         after = np.where(inside, step, np.where(settled, omega, (low + high) / 2))
