@@ -119,8 +119,8 @@ function gathered({ x, y }) {
   return [...found.values()];
 }
 
-// Takes out of poles and zeros what they have in common, nearest ones first, and returns it. A real zero meets a
-// real pole only, and one above the axis a pole there: pairs stay pairs.
+// Takes out of poles and zeros what they have in common, nearest ones first, and returns it. A real zero
+// meets a real pole only, and one above the axis a pole there: pairs stay pairs.
 /**
  * @param {{ poles: Root[], zeros: Root[] }} parts
  * @param {(zero: Root, pole: Root) => boolean} same

@@ -75,7 +75,8 @@ function offOf(c, sizes, roots) {
     y: 0,
     count: y ? 2 * count : count,
   }));
-  const unit = product(mirrored).map((v, k) => Math.max(v, Math.abs(sizes[k] / last)) || 1); // 0 below roots at 0
+  // Below roots at the origin there is nothing, and no unit.
+  const unit = product(mirrored).map((v, k) => Math.max(v, Math.abs(sizes[k] / last)) || 1);
   return { unit, off: product(roots).map((v, k) => (v - c[k] / last) / unit[k]) };
 }
 

@@ -64,8 +64,8 @@ function grouped(c, sizes, { x, y }, widest) {
 const withPairs = (upper) =>
   upper.flatMap((root) => (root.y === 0 ? [root] : [root, { ...root, y: -root.y }]));
 
-// For each root the number of its conjugate, its own if it is real: nearest ones first. A root that has lost its
-// conjugate counts as real.
+// For each root the number of its conjugate, its own if it is real: nearest ones first. A root that has lost
+// its conjugate counts as real.
 /**
  * @param {number[]} x
  * @param {number[]} y
