@@ -182,9 +182,8 @@ def assert_alive(page: Page, path: str) -> None:
         target.scroll_into_view_if_needed()
         page.wait_for_timeout(100)
         before = page.evaluate(TOLD, name)
-        for key in ("ArrowLeft",) if name in PICTURES else ("Home", "ArrowRight"):
-            target.press(key)
-            page.wait_for_timeout(30)
+        at, first = (target.get_attribute(f"aria-value{which}") for which in ("now", "min"))
+        target.press("ArrowLeft" if name in PICTURES else "ArrowRight" if at == first else "Home")
         page.wait_for_function(f"([name, before]) => ({TOLD})(name) !== before", arg=[name, before])
 
 
