@@ -183,8 +183,8 @@ def _readings(p: NDArray, which: list[int], group: NDArray) -> Iterator[list[tup
 def _together(p: NDArray, found: NDArray, groups: list[tuple[list[int], complex]]) -> NDArray:
     """Return all roots of ``p``, those of a group as one repeated root; ``found`` if no such polynomial fits.
 
-    Gauss and Newton's steps [Zeng 2005] fit the distinct roots to all coefficients, each in the unit of its
-    rounding: where they lie on the surface of polynomials with such groups they are well conditioned.
+    Gauss and Newton's steps fit the distinct roots to all coefficients, each in the unit of its rounding:
+    among polynomials with such groups they are well conditioned (Zeng, Math. Comp. 74, 2005, p. 869).
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
-// Multiple roots fitted to all coefficients of a polynomial at once (Gauss and Newton's steps, Zeng 2005), as
-// `rlswaim.rootlocus.repeated_roots` does.
+// Multiple roots fitted to all coefficients of a polynomial at once (Gauss and Newton's steps), as
+// `rlswaim.rootlocus.repeated_roots` does and tells where it is from.
 import { EPS, multiply } from './polynomials.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
