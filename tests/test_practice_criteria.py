@@ -33,7 +33,7 @@ def test_peaks_are_those_of_simulated_gusts():
         for name, (output, unit) in criteria.GUST_PEAKS.items():
             assert frame[output].abs().max() * unit <= FOUND[name].value * 1.01
         rate = np.gradient(frame["delta"], frame.index)
-        assert np.allclose(rate[2:-2], frame["delta_rate"][2:-2], atol=0.01 * np.abs(rate).max())
+        assert np.allclose(rate[2:-2], frame["delta_rate"].iloc[2:-2], atol=0.01 * np.abs(rate).max())
 
 
 def test_drift_is_the_velocity_across_the_path():
