@@ -184,6 +184,11 @@ def stored(pairs: Sequence[Trial], least: float) -> tuple[Readings, ...]:
     Returns
     -------
     tuple of Readings
+
+    Raises
+    ------
+    ValueError
+        If no box of this least half width is stored.
     """
     if least not in STORED:
         raise ValueError(f"stored: least must be one of {STORED}, got {least}")

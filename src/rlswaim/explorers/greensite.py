@@ -42,6 +42,12 @@ BRANCHES = {
     "notch": COLORS["corrected"],
 }
 
+UNKNOWN = (
+    "Nothing commands the pitch angle here, so nothing settles. Masses along the vehicle are not known, so "
+    "neither is its bending moment."
+)
+"""What the card of criteria cannot tell of this vehicle."""
+
 
 def family(notch: bool) -> Family:
     """Return the closed loops of Greensite's vehicle, with or without the ``notch``, as one family.
@@ -130,13 +136,6 @@ def presets() -> list[dict[str, Any]]:
     ]
 
 
-UNKNOWN = (
-    "Nothing commands the pitch angle here, so nothing settles. Masses along the vehicle are not known, so "
-    "neither is its bending moment."
-)
-"""What the card of criteria cannot tell of this vehicle."""
-
-
 def sent_criteria() -> dict[str, Any]:
     """Return what the browser evaluates the criteria from, in m/s."""
     c, units = constants("greensite"), {**criteria.UNITS, "drift_m_s": "m/s"}
@@ -146,8 +145,9 @@ def sent_criteria() -> dict[str, Any]:
         "delta_rate_deg_s": [("delta", 1, 1.0, ())],
         "drift_m_s": [("z", 1, 1.0, ())],
     }
+    factors = {name: factor for name, (_, factor) in criteria.GUST_PEAKS.items()} | {"drift_m_s": 1.0}
     peaks: list[dict[str, Any]] = [
-        {"name": name, "terms": sums, "factor": criteria.DEG if "deg" in name else 1.0, "unit": units[name]}
+        {"name": name, "terms": sums, "factor": factors[name], "unit": units[name]}
         for name, sums in terms.items()
     ]
     return {

@@ -198,9 +198,7 @@ def _bracketed(phases: Phases, cells: _Intervals, target: NDArray) -> NDArray:
         value = own.offsets + own.terms(omega).sum(axis=0) - target
         beyond = (value > 0) == rising
         low, high = np.where(beyond, low, omega), np.where(beyond, omega, high)
-        with np.errstate(
-            divide="ignore", invalid="ignore"
-        ):  # the phase may rest where it is a multiple of pi
+        with np.errstate(divide="ignore", invalid="ignore"):  # the phase may rest there
             step = omega - value / own.slope(omega)
         settled = np.abs(value) <= rounding  # the last step: another would follow rounding alone
         inside = (step >= low) & (step <= high)

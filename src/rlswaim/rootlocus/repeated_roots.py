@@ -13,7 +13,7 @@ from rlswaim.rootlocus.polynomials import horner, roots
 
 NEAR = 0.03
 """Repeated roots spread at most so far, relative to their size, when their coefficients are rounded."""
-FITS = 5
+STEPS = 5
 """Steps of the fit of repeated roots to all coefficients; their errors fall with the square at each."""
 ILL = 3e3
 """Roots are refined on exact integers if rounding moves one by more than so many times its own rounding."""
@@ -209,7 +209,7 @@ def _together(p: NDArray, found: NDArray, groups: list[tuple[list[int], complex]
     s = place[distinct]
     with np.errstate(all="ignore"):
         unit = np.abs(np.poly(-np.abs(found)))
-        for _ in range(FITS):
+        for _ in range(STEPS):
             off = (np.poly(np.repeat(s, counts)) - target) / unit
             ways = [
                 np.append(0, np.poly(np.repeat(s, counts - (np.arange(s.size) == i)))) * -counts[i]

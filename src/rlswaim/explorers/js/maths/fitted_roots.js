@@ -1,6 +1,6 @@
 // Multiple roots fitted to all coefficients of a polynomial at once (Gauss and Newton's steps), as
 // `rlswaim.rootlocus.repeated_roots` does and tells where it is from.
-import { EPS, multiply } from './polynomials.js';
+import { multiply, ROUNDING } from './polynomials.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
 /** @typedef {import('./multiple_roots.js').Root} Root */
@@ -97,7 +97,7 @@ export function fittedRoots(c, sizes, start) {
   let roots = start;
   for (let step = 0; ; step++) {
     const { off, unit } = offOf(c, sizes, roots);
-    if (off.every((v) => Math.abs(v) <= 4 * c.length * EPS)) return roots;
+    if (off.every((v) => Math.abs(v) <= ROUNDING * c.length)) return roots;
     if (step === STEPS) return null;
     const columns = roots.flatMap((root) => slopesAt(roots, root));
     const scaled = columns.map((column) => unit.map((u, k) => (column[k] ?? 0) / u));

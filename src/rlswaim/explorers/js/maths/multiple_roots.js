@@ -11,8 +11,8 @@ import { sharpened } from './sharpened.js';
 /** @typedef {{ x: number, y: number, count: number }} Root a root of a multiplicity */
 
 const CLUSTER = 0.1; // no roots farther apart than this part of their size are taken for one
-const FITS = 1e-6; // roots that are more than this off from a coefficient are not all the roots
 const KNOWN_CLUSTER = 0.01; // the same of roots that are known better than the coefficients tell
+const FITS = 1e-6; // roots that are more than this off from a coefficient are not all the roots
 
 /**
  * The roots of a polynomial, each once: those that the data let be one are one.
