@@ -116,6 +116,18 @@ SHARED = {
         [[1, 0, 0.01], [1, 0, 0.01], [1, 200, 10000.01]],
     ),
     "phase-at-rest": ([[1, 1], [1, 10, 26], [1, 10, 26]], [[1, 2, 2], [1, 10, 26], [1, 10, 26]]),
+    "more-zeros-than-poles-there": (
+        [[1, -2e-4, 6400 + 1e-8], [1, -2e-4, 6400 + 1e-8]],
+        [[1, -2e-4, 6400 + 1e-8], [1, 0, 6400], [1, 0, 6400]],
+    ),
+    "two-shared-near-each-other": (
+        [[1, -2e-4, 6400 + 1e-8], [1, 0, 6400]],
+        [[1, -2e-4, 6400 + 1e-8], [1, 0, 6400], [1, 0, 6400]],
+    ),
+    "shared-and-a-pair-beside": (
+        [[1, 2, 6401], [1, -2]],
+        [[1, -2], [1, -4, 4.01], [1, 2, 6401], [1, 2, 6401]],
+    ),
 }
 
 
@@ -133,4 +145,19 @@ def test_a_common_factor_in_a_group_leaves_the_others_fitting(case):
     locus = rl.root_locus(control.tf(num, den))
     assert locus.loop.resting.size >= 2
     for gain, roots in zip(locus.gains, locus.roots, strict=True):
-        assert misfit(np.polyadd(den, gain * num)[::-1], roots) < 1e-10
+        assert misfit(np.polyadd(den, gain * num)[::-1], roots) < 1e-13
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_groups_near_each_other_in_both_fit_both(seed):
+    """Double roots apart by 1e-2 to 1e-9 of their size, some of them shared: no coefficient is missed."""
+    rng = np.random.default_rng(seed)
+    x, y = -(10.0 ** rng.uniform(-3, 1)), 10.0 ** rng.uniform(-1, 2)
+    step = np.hypot(x, y) * 10.0 ** rng.uniform(-9, -2)
+    near = [(x, y), (x + step, y), (x, y + step)]
+    pairs = [[1, -2 * re, re**2 + im**2] for re, im in near]
+    num = product(pairs[i] for i in rng.integers(0, 3, size=2))
+    den = product([*(pairs[i] for i in rng.integers(0, 3, size=3)), [1, 3]])
+    locus = rl.root_locus(control.tf(num, den))
+    for gain, roots in zip(locus.gains, locus.roots, strict=True):
+        assert misfit(np.polyadd(den, gain * num)[::-1], roots) < 1e-12

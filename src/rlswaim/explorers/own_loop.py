@@ -111,7 +111,7 @@ def known_roots(loop: OpenLoop, exact: bool) -> dict[str, Any]:
         equal in both.
     """
     poles, zeros = loop.poles, loop.zeros.copy()
-    gone_poles, gone = loop._common
+    gone_poles, gone = loop.common
     left = poles[gone_poles]
     for i in np.flatnonzero(gone):
         at = int(np.abs(left - zeros[i]).argmin())

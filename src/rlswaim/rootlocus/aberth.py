@@ -51,12 +51,11 @@ def aberth(slopes: Slopes, guess: NDArray, steps: int) -> Roots:
         for _ in range(steps):
             slope, done, blurred = slopes(z, busy)
             push, nearest = _repulsion(z)
-            step = 1 / (slope - push)
+            step, closeness = 1 / (slope - push), nearest / np.abs(z) ** 2
+            done |= blurred & (closeness <= EPS)
             step[done | ~np.isfinite(step)] = 0
             z = z - step
-            done |= _last(step, z, nearest)
-            closeness = nearest / np.abs(z) ** 2
-            ready = (done | (blurred & (closeness <= EPS))).all(axis=0)
+            ready = (done | _last(step, z, nearest)).all(axis=0)
             s[:, busy], found[busy], meet[:, busy] = z, ready, closeness <= MEET**2
             if ready.all():
                 break
@@ -111,6 +110,8 @@ def real_and_conjugate(values: NDArray) -> NDArray:
     Each root is paired with the conjugate of one, itself allowed, so that the total distance is least.
     """
     partner = linear_sum_assignment(np.abs(values[:, None] - values.conj()))[1]
-    alone = partner[partner] != np.arange(partner.size)  # equal distances can make a longer chain
-    partner[alone] = np.flatnonzero(alone)
+    for i in np.flatnonzero(partner[partner] != np.arange(partner.size)):  # equal distances make longer rings
+        j = partner[i]
+        if partner[j] != i:  # take these two out of their ring
+            partner[partner == i], partner[j] = partner[j], i
     return (values + values[partner].conj()) / 2

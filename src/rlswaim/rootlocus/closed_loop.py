@@ -10,6 +10,7 @@ from rlswaim.rootlocus.aberth import EPS, MEET, Slopes, aberth, real_and_conjuga
 from rlswaim.rootlocus.branches import squared_distances
 from rlswaim.rootlocus.break_aways import BreakAway
 from rlswaim.rootlocus.open_loop import OpenLoop
+from rlswaim.rootlocus.polynomials import misfit
 
 BLOCK = 20_000
 """So many pairs of roots at a time: they stay in the processor's cache."""
@@ -209,7 +210,8 @@ class ClosedLoop:
         roots, found, meet = aberth(slopes, guess, steps=8 if self.counts.max() <= REPEATED else 60)
         roots, paired = _in_pairs(roots)
         for at in np.flatnonzero(~(found & paired & self._complete(gains, roots))):
-            roots[:, at] = self._anew(gains[at : at + 1], guess[:, at])
+            anew = self._anew(gains[at : at + 1], guess[:, at])
+            roots[:, at] = self._nearer(gains[at], anew, real_and_conjugate(roots[:, at]))
             with np.errstate(all="ignore"):
                 slopes(roots[:, [at]], np.array([at]))
         return roots, np.where(meet | ~np.isfinite(tangents), 0, tangents)
@@ -225,6 +227,12 @@ class ClosedLoop:
             again = aberth(slopes, circle[:, None] * np.exp(0.5j), steps=200)
             values = again.values if again.found[0] else values
         return real_and_conjugate(values[:, 0])
+
+    def _nearer(self, gain: float, *found: NDArray) -> NDArray:
+        """Return of several sets of scaled roots the one that fits the polynomial at a ``gain`` best."""
+        D, N = (np.atleast_1d(np.poly(part)).real for part in self.factors)
+        polynomial = np.polyadd(D, gain * self.gain * N)[::-1]
+        return min(found, key=lambda s: misfit(polynomial, s))
 
     def _complete(self, gains: NDArray, s: NDArray) -> NDArray:
         """Return for which ``gains`` (K,) the roots ``s`` (n, K) have the right sum: none is missing."""

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.signal import ZerosPolesGain
 
 from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
-from rlswaim.rootlocus.polynomials import misfit, trimmed
+from rlswaim.rootlocus.common_factors import agreeing, common_factors
+from rlswaim.rootlocus.polynomials import trimmed
 from rlswaim.rootlocus.repeated_roots import Points, points_of_polynomial
 from rlswaim.rootlocus.state_space import transfer_of_state_space
 from rlswaim.source import checks
@@ -35,6 +36,8 @@ class OpenLoop:
     """A single loop G = gain prod(s - zeros) / prod(s - poles).
 
     ``dt`` is python-control's: 0 or None for continuous time, otherwise the sampling period (s) or True.
+    ``shared`` are the numbers of the zeros, and of the poles, that are the same points; without it those
+    are that differ by no more than their errors.
     """
 
     zero_points: Points
@@ -43,6 +46,7 @@ class OpenLoop:
     numerator: NDArray
     denominator: NDArray
     dt: float | bool | None = 0
+    shared: tuple[NDArray, NDArray] | None = None
 
     @property
     def poles(self) -> NDArray:
@@ -65,9 +69,9 @@ class OpenLoop:
         return self.gain if self.zeros.size == self.poles.size else 0.0
 
     @cached_property
-    def _common(self) -> tuple[NDArray, NDArray]:
-        """Return which poles (n,) and which zeros (m,) are factors of both, but for rounding."""
-        found, at = _common_factors(self.zero_points, self.pole_points)
+    def common(self) -> tuple[NDArray, NDArray]:
+        """Which poles (n,) and which zeros (m,) are factors of both, but for rounding."""
+        found, at = self.shared or common_factors(self.zero_points, self.pole_points)
         gone_poles, gone = np.zeros(self.poles.size, bool), np.zeros(self.zeros.size, bool)
         gone_poles[at] = gone[found] = True
         return gone_poles, gone
@@ -75,17 +79,17 @@ class OpenLoop:
     @cached_property
     def resting(self) -> NDArray:
         """The closed-loop roots that stand still at every gain: common factors, or all if the gain is 0."""
-        return self.poles[self._common[0]] if self.gain else self.poles
+        return self.poles[self.common[0]] if self.gain else self.poles
 
     @cached_property
     def moving_poles(self) -> NDArray:
         """The poles that the moving branches leave from, repeated ones repeated."""
-        return self.poles[~self._common[0]] if self.gain else np.zeros(0, complex)
+        return self.poles[~self.common[0]] if self.gain else np.zeros(0, complex)
 
     @cached_property
     def places(self) -> Places:
         """The distinct poles, then the distinct zeros, without common factors."""
-        found, (common_poles, common_zeros) = [], self._common
+        found, (common_poles, common_zeros) = [], self.common
         for kind, points, common in (-1, self.pole_points, common_poles), (1, self.zero_points, common_zeros):
             values, errors = (part[~common] for part in points)
             distinct, first, counts = np.unique(values, return_index=True, return_counts=True)
@@ -110,52 +114,6 @@ class OpenLoop:
         if (np.abs(gains) > most).any():
             at = int(np.flatnonzero(np.abs(gains) > most)[0])
             raise ValueError(f"gains[{at}] in {WHERE}: got {gains[at]:g}, wanted at most {most:.3g} in size")
-
-
-def _common_factors(zero_points: Points, pole_points: Points) -> tuple[NDArray, NDArray]:
-    """Return the numbers (c,) of zeros, and of poles, that are the same point but for rounding.
-
-    A real zero meets a real pole only, and one above the axis a pole there: pairs stay pairs.
-    """
-    (zeros, zero_errors), (poles, pole_errors) = zero_points, pole_points
-    beyond = np.abs(zeros[:, None] - poles) - 8 * (zero_errors[:, None] + pole_errors)
-    beyond[np.sign(zeros.imag)[:, None] != np.sign(poles.imag)] = np.inf
-    found: list[tuple[int, int]] = []
-    for i in np.flatnonzero((beyond <= 0).any(axis=1)):
-        at = int(beyond[i].argmin())
-        if beyond[i, at] <= 0:
-            found.append((int(i), at))
-            beyond[:, at] = np.inf
-    numbers = np.array(found, int).reshape(-1, 2)
-    return numbers[:, 0], numbers[:, 1]
-
-
-def _sharing(points: Points, others: Points, which: NDArray, coefficients: NDArray) -> Points:
-    """Return the roots of a polynomial, some of which are those of ``others`` that are known better.
-
-    One root of a group cannot be moved by itself: the others are those of the quotient then.
-
-    Parameters
-    ----------
-    points : Points
-        All roots of the polynomial.
-    others : Points
-        Those that some of them are.
-    which : ndarray of int
-        The numbers of these among ``points``.
-    coefficients : ndarray, shape (n + 1,)
-        The polynomial, constant term first.
-    """
-    off = np.abs(points.values[which] - others.values)
-    if (off <= 64 * EPS * np.abs(others.values)).all() or others.errors.max() > points.errors[which].max():
-        return points
-    at_origin, elsewhere = int(np.flatnonzero(coefficients)[0]), others.values[others.values != 0]
-    quotient = np.polydiv(coefficients[at_origin:][::-1], np.poly(elsewhere).real)[0]
-    left = np.zeros(at_origin - others.values.size + elsewhere.size)
-    rest = points_of_polynomial(np.append(left, quotient[::-1]))
-    found = Points(*(np.concatenate(parts) for parts in zip(others, rest, strict=True)))
-    known = (others.errors / np.maximum(np.abs(others.values), SMALLEST)).max()
-    return found if misfit(coefficients, found.values) <= known + 8 * coefficients.size * EPS else points
 
 
 def open_loop(system: System) -> OpenLoop:
@@ -253,14 +211,8 @@ def _from_transfer(system: control.TransferFunction) -> OpenLoop:
             "wanted ratios that floats hold"
         )
     zeros, poles = points_of_polynomial(numerator), points_of_polynomial(denominator)
-    in_zeros, in_poles = _common_factors(zeros, poles)
-    if in_zeros.size:
-        shared = [
-            Points(*(part[at] for part in points)) for points, at in ((zeros, in_zeros), (poles, in_poles))
-        ]
-        poles = _sharing(poles, shared[0], in_poles, denominator)
-        zeros = _sharing(zeros, shared[1], in_zeros, numerator)
-    return OpenLoop(zeros, poles, float(numerator[-1]), numerator, denominator, system.dt)
+    zeros, poles, shared = agreeing(zeros, poles, (numerator, denominator))
+    return OpenLoop(zeros, poles, float(numerator[-1]), numerator, denominator, system.dt, shared)
 
 
 def _from_state_space(system: control.StateSpace) -> OpenLoop:

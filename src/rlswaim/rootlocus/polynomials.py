@@ -139,7 +139,8 @@ def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) ->
         if not useful.any():
             break
         found = found - np.where(useful, step, 0)
-    if (np.abs(found - approximations) <= 1e-12 * np.abs(found)).all():
+    size, moved = np.abs(found), np.abs(found - approximations)
+    if (moved <= 1e-12 * size).all() or (nearest > 0.1 * size).all():
         return found
     return min(found, approximations, key=lambda s: misfit(coefficients, s))
 

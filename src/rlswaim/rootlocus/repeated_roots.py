@@ -1,6 +1,6 @@
 """Roots of one polynomial with what rounding of the data does to each, repeated ones found as such."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import comb
 from typing import NamedTuple
 
@@ -183,9 +183,6 @@ def _readings(p: NDArray, which: list[int], group: NDArray) -> Iterator[list[tup
 def _together(p: NDArray, found: NDArray, groups: list[tuple[list[int], complex]]) -> NDArray:
     """Return all roots of ``p``, those of a group as one repeated root; ``found`` if no such polynomial fits.
 
-    Gauss and Newton's steps fit the distinct roots to all coefficients, each in the unit of its rounding:
-    among polynomials with such groups they are well conditioned (Zeng, Math. Comp. 74, 2005, p. 869).
-
     Parameters
     ----------
     p : ndarray, shape (n + 1,)
@@ -201,27 +198,65 @@ def _together(p: NDArray, found: NDArray, groups: list[tuple[list[int], complex]
     """
     if not groups:
         return found
-    first, target = np.arange(found.size), p[::-1] / p[-1]
-    place = found.copy()
+    first, place = np.arange(found.size), found.copy()
     for group, center in groups:
         first[group], place[group[0]] = group[0], center
     distinct, which, counts = np.unique(first, return_inverse=True, return_counts=True)
-    s = place[distinct]
-    with np.errstate(all="ignore"):
-        unit = np.abs(np.poly(-np.abs(found)))
-        for _ in range(STEPS):
-            off = (np.poly(np.repeat(s, counts)) - target) / unit
-            ways = [
-                np.append(0, np.poly(np.repeat(s, counts - (np.arange(s.size) == i)))) * -counts[i]
-                for i in range(s.size)
+    s, left = fitted([p], place[distinct], counts[None])
+    return s[which] if left <= 4 * p.size * EPS else found
+
+
+def fitted(polynomials: Sequence[NDArray], s: NDArray, counts: NDArray) -> tuple[NDArray, float]:
+    """Return distinct roots fitted to all coefficients of one or more polynomials, and their misfit.
+
+    Gauss and Newton's steps count each coefficient in the unit of its rounding: among polynomials with
+    such repeated and common roots these are well conditioned (Zeng, Math. Comp. 74, 2005, p. 869).
+
+    Parameters
+    ----------
+    polynomials : sequence of ndarray, shapes (n + 1,)
+        Coefficients, constant term first; the first is not 0.
+    s : ndarray of complex, shape (d,)
+        First guesses.
+    counts : ndarray of int, shape (number of polynomials, d)
+        How often each polynomial has each root.
+
+    Returns
+    -------
+    ndarray of complex, shape (d,)
+        In exact pairs.
+    float
+        By how much of its terms' sizes a coefficient is missed at most; inf where the terms overflow.
+    """
+
+    def off(s: NDArray) -> NDArray:
+        return np.concatenate(
+            [
+                (np.poly(np.repeat(s, count)) - p[::-1] / p[-1]) / unit
+                for p, count, unit in zip(polynomials, counts, units, strict=True)
             ]
-            slopes = np.stack(ways, axis=1) / unit[:, None]
+        )
+
+    def slope(i: int) -> NDArray:
+        one = np.arange(s.size) == i
+        return np.concatenate(
+            [
+                np.append(0, np.poly(np.repeat(s, count - one))) * -count[i] / unit
+                if count[i]
+                else np.zeros(unit.size)
+                for count, unit in zip(counts, units, strict=True)
+            ]
+        )
+
+    with np.errstate(all="ignore"):
+        units = [np.abs(np.poly(-np.abs(np.repeat(s, count)))) for count in counts]
+        for _ in range(STEPS):
+            slopes = np.stack([slope(i) for i in range(s.size)], axis=1)
             if not np.isfinite(slopes).all():
-                return found
-            s = s - np.linalg.lstsq(slopes, off)[0]
+                return s, np.inf
+            s = s - np.linalg.lstsq(slopes, off(s))[0]
         s = real_and_conjugate(s)
-        left = np.abs(np.poly(np.repeat(s, counts)) - target) / unit
-    return s[which] if (left <= 4 * p.size * EPS).all() else found
+        return s, float(np.nan_to_num(np.abs(off(s)), nan=np.inf).max())
 
 
 def _center(derivative_: NDArray, group: NDArray) -> complex:
