@@ -161,3 +161,17 @@ def test_groups_near_each_other_in_both_fit_both(seed):
     locus = rl.root_locus(control.tf(num, den))
     for gain, roots in zip(locus.gains, locus.roots, strict=True):
         assert misfit(np.polyadd(den, gain * num)[::-1], roots) < 1e-12
+
+
+def test_a_root_that_all_but_vanishes_does_not_decide_which_roots_fit():
+    """Where a root passes the origin the last coefficient is rounding alone, and says nothing of others."""
+    num = np.array([-2.5, 10.0005, -10.027, 2.0051e-3, -1.0025e-7])
+    den = np.array([1, -2.6883, 6419.80714, -50.308142, 115313.524, -240.782604, 518546.337, -51.8546314])
+    gain = -517253181.04737985
+    roots = rl.root_locus(control.tf(num, den), [gain]).roots[0]
+    with mpmath.workdps(60):
+        kN = [mpmath.mpf(gain) * c for c in [*num[::-1], 0, 0, 0]]
+        ascending = [mpmath.mpf(a) + b for a, b in zip(den[::-1], kN, strict=True)]
+        exact = mpmath.polyroots(ascending, asc=True, maxsteps=500, extraprec=300)
+    wanted = np.array([complex(s) for s in exact])
+    assert mismatch(roots[np.abs(roots) > 1e-9], wanted[np.abs(wanted) > 1e-9]) < 1e-12

@@ -231,8 +231,8 @@ class ClosedLoop:
     def _nearer(self, gain: float, *found: NDArray) -> NDArray:
         """Return of several sets of scaled roots the one that fits the polynomial at a ``gain`` best."""
         D, N = (np.atleast_1d(np.poly(part)).real for part in self.factors)
-        polynomial = np.polyadd(D, gain * self.gain * N)[::-1]
-        return min(found, key=lambda s: misfit(polynomial, s))
+        kN = gain * self.gain * np.append(np.zeros(D.size - N.size), N)
+        return min(found, key=lambda s: misfit((D + kN)[::-1], s, (np.abs(D) + np.abs(kN))[::-1]))
 
     def _complete(self, gains: NDArray, s: NDArray) -> NDArray:
         """Return for which ``gains`` (K,) the roots ``s`` (n, K) have the right sum: none is missing."""

@@ -145,7 +145,7 @@ def _polished(coefficients: NDArray, approximations: NDArray, steps: int = 3) ->
     return min(found, approximations, key=lambda s: misfit(coefficients, s))
 
 
-def misfit(coefficients: NDArray, s: NDArray) -> float:
+def misfit(coefficients: NDArray, s: NDArray, sizes: NDArray | float = 0.0) -> float:
     """Return by how much of their terms' sizes the coefficients are missed by the polynomial with roots s.
 
     Parameters
@@ -153,6 +153,8 @@ def misfit(coefficients: NDArray, s: NDArray) -> float:
     coefficients : ndarray, shape (n + 1,)
         Constant term first; the last is not 0.
     s : ndarray of complex, shape (n,)
+    sizes : ndarray, shape (n + 1,), optional
+        What each coefficient is a small difference of.
 
     Returns
     -------
@@ -161,5 +163,6 @@ def misfit(coefficients: NDArray, s: NDArray) -> float:
     """
     with np.errstate(all="ignore"):
         off = np.abs(np.poly(s) - coefficients[::-1] / coefficients[-1])
-        off /= np.maximum(np.abs(np.poly(-np.abs(s))), TINY)  # 0 below roots at the origin
+        own = np.abs(np.atleast_1d(sizes / coefficients[-1])[::-1])
+        off /= np.maximum(np.maximum(np.abs(np.poly(-np.abs(s))), own), TINY)  # 0 below roots at the origin
     return float(np.nan_to_num(off, nan=np.inf).max(initial=0.0))
