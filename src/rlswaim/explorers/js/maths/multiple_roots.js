@@ -72,14 +72,23 @@ const withPairs = (upper) =>
  */
 function conjugates(x, y) {
   const partner = Array.from(x.keys());
-  const [upper, lower] = [1, -1].map((side) => new Set(partner.filter((i) => side * y[i] > 0)));
-  const off = (/** @type {number[]} */ [i, j]) => distance(x[j] - x[i], y[j] + y[i]);
-  const pairs = [...upper].flatMap((i) => [...lower].map((j) => [i, j]));
-  for (const [i, j] of pairs.sort((a, b) => off(a) - off(b))) {
-    if (!upper.has(i) || !lower.has(j)) continue;
-    upper.delete(i);
-    lower.delete(j);
-    [partner[i], partner[j]] = [j, i];
+  const nearest = (/** @type {number} */ i, /** @type {number[]} */ others) => {
+    let [at, least] = [-1, Infinity];
+    for (const j of others) {
+      const off = distance(x[j] - x[i], y[j] + y[i]);
+      if (off < least) [at, least] = [j, off];
+    }
+    return at;
+  };
+  let [upper, lower] = [1, -1].map((side) => partner.filter((i) => side * y[i] > 0));
+  const isAlone = (/** @type {number} */ i) => partner[i] === i;
+  for (let before = -1; before !== upper.length && lower.length > 0; ) {
+    before = upper.length;
+    for (const i of upper) {
+      const j = nearest(i, lower);
+      if (j >= 0 && nearest(j, upper) === i) [partner[i], partner[j]] = [j, i];
+    }
+    [upper, lower] = [upper.filter(isAlone), lower.filter(isAlone)];
   }
   for (const i of [...upper, ...lower]) y[i] = 0;
   return partner;
