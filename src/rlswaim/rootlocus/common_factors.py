@@ -47,32 +47,35 @@ def agreeing(
     polynomials : tuple of ndarray
         Numerator and denominator, constant term first.
     """
-    both, numbers = (zeros, poles), np.array(common_factors(zeros, poles))
-    shared = [points.values[at] for points, at in zip(both, numbers, strict=True)]
-    if (np.abs(shared[0] - shared[1]) <= SAME * np.abs(shared[0])).all():
-        return zeros, poles, (numbers[0], numbers[1])
-    known = [points.errors[at].max() for points, at in zip(both, numbers, strict=True)]
-    better, other = (0, 1) if known[0] <= known[1] else (1, 0)
-    distinct = np.unique(shared[better], return_index=True)[1]
-    for which in numbers[better], numbers[better, distinct]:
-        found = _sharing(both[better], which, (polynomials[better], polynomials[other]))
-        if found is not None:
-            at = np.arange(which.size)
-            return (*found, (which, at)) if other else (*found[::-1], (at, which))
-    return zeros, poles, (numbers[0, :0], numbers[1, :0])
+    numbers = np.array(common_factors(zeros, poles))
+    shared = zeros.values[numbers[0]], poles.values[numbers[1]]
+    same = np.abs(shared[0] - shared[1]) <= SAME * np.abs(shared[0])
+    if not same.all():
+        known = zeros.errors[numbers[0]].max(), poles.errors[numbers[1]].max()
+        i, j = (0, 1) if known[0] <= known[1] else (1, 0)  # the better known first
+        distinct = np.unique(shared[i], return_index=True)[1]
+        both = (zeros, poles)[i], (zeros, poles)[j]
+        for chosen in numbers[[i, j]], numbers[[i, j]][:, distinct]:
+            found = _sharing(both, chosen, (polynomials[i], polynomials[j]))
+            if found is not None:
+                at = chosen[0], np.arange(chosen.shape[1])
+                return found[i], found[j], (at[i], at[j])
+    return zeros, poles, (numbers[0, same], numbers[1, same])
 
 
 def _sharing(
-    points: Points, which: NDArray, polynomials: tuple[NDArray, NDArray]
+    both: tuple[Points, Points], chosen: NDArray, polynomials: tuple[NDArray, NDArray]
 ) -> tuple[Points, Points] | None:
     """Return the roots of two polynomials that have some in common: fitted to the coefficients of both.
 
+    The others of the second polynomial are those of the quotient or, where this has lost digits, its own.
+
     Parameters
     ----------
-    points : Points
-        All roots of the first polynomial.
-    which : ndarray of int
-        The numbers of those that the second shall have.
+    both : tuple of Points
+        All roots of each polynomial.
+    chosen : ndarray of int, shape (2, c)
+        The numbers of those in common, known better in the first one.
     polynomials : tuple of ndarray
         Constant term first.
 
@@ -82,20 +85,37 @@ def _sharing(
         Of the second polynomial those in common come first.  None if no such roots fit the coefficients.
     """
     own, other = (p[int(np.flatnonzero(p)[0]) :] for p in polynomials)
-    shared = Points(*(part[which] for part in points))
+    shared = Points(*(part[chosen[0]] for part in both[0]))
     moving = shared.values[shared.values != 0]
-    rest = points_of_polynomial(np.polydiv(other[::-1], np.poly(moving).real)[0][::-1])
-    near = np.abs(rest.values[:, None] - moving) <= SAME * np.abs(moving)
-    again = np.where(near.any(axis=1), moving[near.argmax(axis=1)], rest.values)
-    at_origin = np.zeros(polynomials[1].size - other.size - which.size + moving.size)
-    sets = points.values, np.concatenate([shared.values, again, at_origin])
-    distinct, place = np.unique(np.concatenate(sets), return_inverse=True)
-    places = np.split(place, [points.values.size])
+    quotient = points_of_polynomial(np.polydiv(other[::-1], np.poly(moving).real)[0][::-1])
+    rest = Points(*(np.delete(part, chosen[1]) for part in both[1]))
+    at_origin = np.zeros(np.count_nonzero(rest.values == 0))
+    elsewhere = Points(*(part[rest.values != 0] for part in rest))
+    for left in quotient, elsewhere:
+        near = np.abs(left.values[:, None] - moving) <= SAME * np.abs(moving)
+        again = np.where(near.any(axis=1), moving[near.argmax(axis=1)], left.values)
+        second = np.concatenate([shared.values, again, at_origin])
+        fit = _fitted([own, other], both[0].values, second)
+        if fit is not None:
+            errors = np.concatenate([shared.errors, left.errors, at_origin])
+            return Points(fit[0], both[0].errors), Points(fit[1], errors)
+    return None
+
+
+def _fitted(polynomials: list[NDArray], first: NDArray, second: NDArray) -> list[NDArray] | None:
+    """Return all roots of two polynomials, equal ones together, fitted to both; None if they do not fit.
+
+    Parameters
+    ----------
+    polynomials : list of ndarray
+        Constant term first, without roots at the origin.
+    first, second : ndarray of complex
+        The roots of each, those at the origin too.
+    """
+    distinct, place = np.unique(np.append(first, second), return_inverse=True)
+    places = np.split(place, [first.size])
     counts = np.stack([np.bincount(part, minlength=distinct.size) for part in places])
     free = distinct != 0
-    fit, left = fitted([own, other], distinct[free], counts[:, free])
-    if left > 8 * max(own.size, other.size) * EPS:
-        return None
-    distinct[free] = fit
-    errors = points.errors, np.concatenate([shared.errors, rest.errors, at_origin])
-    return Points(distinct[places[0]], errors[0]), Points(distinct[places[1]], errors[1])
+    distinct[free], off = fitted(polynomials, distinct[free], counts[:, free])
+    fits = off <= 8 * max(p.size for p in polynomials) * EPS
+    return [distinct[part] for part in places] if fits else None
