@@ -105,13 +105,26 @@ def starting_points(coefficients: NDArray) -> NDArray:
 
 
 def real_and_conjugate(values: NDArray) -> NDArray:
-    """Return ``values`` (n,), roots of a real function, as exact conjugate pairs and exactly real ones.
+    """Return ``values`` (n,), roots of a real function, as exact conjugate pairs and exactly real ones."""
+    return (values + values[conjugates(values)].conj()) / 2
 
-    Each root is paired with the conjugate of one, itself allowed, so that the total distance is least.
+
+def conjugates(values: NDArray) -> NDArray:
+    """Return for each root of a real function the number of its conjugate, its own where it is real.
+
+    Each is paired with the conjugate of one, itself allowed, so that the total distance is least.
+
+    Parameters
+    ----------
+    values : ndarray of complex, shape (n,)
+
+    Returns
+    -------
+    ndarray of int, shape (n,)
     """
     partner = linear_sum_assignment(np.abs(values[:, None] - values.conj()))[1]
     for i in np.flatnonzero(partner[partner] != np.arange(partner.size)):  # equal distances make longer rings
         j = partner[i]
         if partner[j] != i:  # take these two out of their ring
             partner[partner == i], partner[j] = partner[j], i
-    return (values + values[partner].conj()) / 2
+    return np.asarray(partner)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rlswaim.rootlocus.aberth import EPS, real_and_conjugate
+from rlswaim.rootlocus.aberth import EPS, conjugates, real_and_conjugate
 from rlswaim.rootlocus.exact_polynomials import Exact, exact, refined_roots
 from rlswaim.rootlocus.polynomials import horner, roots
 
@@ -217,7 +217,7 @@ def fitted(polynomials: Sequence[NDArray], s: NDArray, counts: NDArray) -> tuple
     polynomials : sequence of ndarray, shapes (n + 1,)
         Coefficients, constant term first; the first is not 0.
     s : ndarray of complex, shape (d,)
-        First guesses.
+        First guesses; which are pairs, and which real, stays so.
     counts : ndarray of int, shape (number of polynomials, d)
         How often each polynomial has each root.
 
@@ -248,6 +248,7 @@ def fitted(polynomials: Sequence[NDArray], s: NDArray, counts: NDArray) -> tuple
             ]
         )
 
+    partner = conjugates(s)
     with np.errstate(all="ignore"):
         units = [np.abs(np.poly(-np.abs(np.repeat(s, count)))) for count in counts]
         for _ in range(STEPS):
@@ -255,7 +256,7 @@ def fitted(polynomials: Sequence[NDArray], s: NDArray, counts: NDArray) -> tuple
             if not np.isfinite(slopes).all():
                 return s, np.inf
             s = s - np.linalg.lstsq(slopes, off(s))[0]
-        s = real_and_conjugate(s)
+        s = (s + s[partner].conj()) / 2
         return s, float(np.nan_to_num(np.abs(off(s)), nan=np.inf).max())
 
 
