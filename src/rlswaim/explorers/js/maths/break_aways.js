@@ -95,14 +95,18 @@ function numerator(terms) {
   const [Rx, Ry] = [new Float64Array(n + 1), new Float64Array(n + 1)];
   Rx[0] = 1;
   for (let done = 0; done < n; done++) {
-    const [px, py, weight] = [terms.x[done] / scale, terms.y[done] / scale, terms.weight[done]];
+    const px = terms.x[done] / scale; // a pair of names for a pair of values would cost more than the sums
+    const py = terms.y[done] / scale;
+    const weight = terms.weight[done];
     for (let k = done; k >= 0; k--) {
-      const [qx, qy] = [Qx[k], Qy[k]];
+      const qx = Qx[k];
+      const qy = Qy[k];
       Qx[k] = (k > 0 ? Qx[k - 1] : 0) - (qx * px - qy * py) + weight * Rx[k];
       Qy[k] = (k > 0 ? Qy[k - 1] : 0) - (qx * py + qy * px) + weight * Ry[k];
     }
     for (let k = done + 1; k >= 0; k--) {
-      const [rx, ry] = [Rx[k], Ry[k]];
+      const rx = Rx[k];
+      const ry = Ry[k];
       Rx[k] = (k > 0 ? Rx[k - 1] : 0) - (rx * px - ry * py);
       Ry[k] = (k > 0 ? Ry[k - 1] : 0) - (rx * py + ry * px);
     }
@@ -120,8 +124,13 @@ function numerator(terms) {
 function moved(terms, x, y, i) {
   const zx = x[i];
   const zy = y[i];
-  let [fx, fy, gx, gy] = [0, 0, 0, 0]; // the sum f and -f'
-  let [px, py, size] = [0, 0, 0]; // Σ 1/(s - r) - Σ 1/(s - s_j), Σ |terms|
+  let fx = 0; // the sum f
+  let fy = 0;
+  let gx = 0; // -f'
+  let gy = 0;
+  let px = 0; // Σ 1/(s - r) - Σ 1/(s - s_j)
+  let py = 0;
+  let size = 0; // Σ |terms|
   for (let k = 0; k < terms.x.length; k++) {
     const dx = zx - terms.x[k];
     const dy = zy - terms.y[k];

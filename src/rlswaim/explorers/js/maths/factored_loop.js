@@ -161,7 +161,10 @@ function cancelled(parts, same) {
 export function gainAtPoint({ poles, zeros, gain }, x, y) {
   let re = -1 / gain;
   let im = 0;
-  let [i, j, over, under] = [0, 0, poles[0]?.count ?? 0, zeros[0]?.count ?? 0];
+  let i = 0;
+  let j = 0;
+  let over = poles[0]?.count ?? 0;
+  let under = zeros[0]?.count ?? 0;
   while (i < poles.length || j < zeros.length) {
     // The size stays moderate: what would make it larger waits until something has made it smaller.
     const isZero = i === poles.length || (j < zeros.length && re * re + im * im > 1);
@@ -169,7 +172,9 @@ export function gainAtPoint({ poles, zeros, gain }, x, y) {
     const dx = x - root.x;
     const dy = isZero ? root.y - y : y - root.y;
     const weight = isZero ? 1 / (dx * dx + dy * dy) : 1;
-    [re, im] = [(re * dx - im * dy) * weight, (re * dy + im * dx) * weight];
+    const turned = (re * dx - im * dy) * weight;
+    im = (re * dy + im * dx) * weight;
+    re = turned;
     if (isZero && --under === 0) under = zeros[++j]?.count ?? 0;
     if (!isZero && --over === 0) over = poles[++i]?.count ?? 0;
   }

@@ -8,7 +8,7 @@ import { multiply, ROUNDING } from './polynomials.js';
 const STEPS = 5; // the error falls with the square at each
 
 /** The real factor of a root or of a pair. @param {Root} root */
-const factorOf = ({ x, y }) => (y === 0 ? Float64Array.of(-x, 1) : Float64Array.of(x * x + y * y, -2 * x, 1));
+const factorOf = ({ x, y }) => (y === 0 ? [-x, 1] : [x * x + y * y, -2 * x, 1]);
 
 /** @param {Root[]} roots one of each pair @param {Root} [left] a root that counts once less */
 const product = (roots, left) =>

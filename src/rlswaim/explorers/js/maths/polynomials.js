@@ -44,7 +44,11 @@ export const meanOf = (values, places) => places.reduce((sum, i) => sum + values
 export function evaluate(c, x, y) {
   let re = 0;
   let im = 0;
-  for (let k = c.length - 1; k >= 0; k--) [re, im] = [re * x - im * y + c[k], re * y + im * x];
+  for (let k = c.length - 1; k >= 0; k--) {
+    const turned = re * x - im * y + c[k];
+    im = re * y + im * x;
+    re = turned;
+  }
   return [re, im];
 }
 
