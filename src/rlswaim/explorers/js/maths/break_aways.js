@@ -124,8 +124,7 @@ function numerator(terms) {
 function moved(terms, x, y, i) {
   const zx = x[i];
   const zy = y[i];
-  let fx = 0; // the sum f
-  let fy = 0;
+  let [fx, fy] = [0, 0]; // the sum f
   let gx = 0; // -f'
   let gy = 0;
   let px = 0; // Σ 1/(s - r) - Σ 1/(s - s_j)
@@ -149,10 +148,9 @@ function moved(terms, x, y, i) {
   const f = fx * fx + fy * fy;
   if (f <= EPS * EPS * size * size) return true;
   for (let j = 0; j < x.length; j++) {
-    if (j === i) continue;
     const ex = zx - x[j];
     const ey = zy - y[j];
-    const over = 1 / (ex * ex + ey * ey || 1e-300);
+    const over = j === i ? 0 : 1 / (ex * ex + ey * ey || 1e-300);
     px -= ex * over;
     py += ey * over;
   }
