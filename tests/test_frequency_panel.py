@@ -48,7 +48,7 @@ def bench(browser):
 def cut(page: Page) -> control.StateSpace:
     """Return the library's open loop at the sliders."""
     state = page.evaluate("state")
-    return greensite(**{name: state["loop_gain"] * state[name] for name in GAINS})
+    return greensite(**{name: state["k"] * state[name] for name in GAINS})
 
 
 class TestWords:
@@ -72,7 +72,7 @@ class TestWords:
             assert re.search(r"dB \(mode 1, ω 19\S* rad/s\)", words(page))
 
     def test_an_unstable_loop_has_no_margins(self, bench):
-        show(bench, loop_gain=100.0)
+        show(bench, k=100.0)
         assert words(bench) == "No margins: the closed loop is not stable."
 
     def test_without_gain_there_is_no_loop(self, browser, explorer):
@@ -145,10 +145,10 @@ class TestGestures:
         bench.mouse.move(at[0], at[1] - 8)
         one(bench, lambda: bench.mouse.move(at[0], at[1] - 20))
         bench.mouse.up()
-        assert bench.evaluate("state.loop_gain") > 1.2
+        assert bench.evaluate("state.k") > 1.2
 
     def test_the_held_point_follows_the_pointer_in_decibels(self, bench):
-        before = bench.evaluate("state.loop_gain")
+        before = bench.evaluate("state.k")
         box = box_of(bench)
         x, y = found_on_curve(bench, box, 0.4)
         each = []
@@ -157,7 +157,7 @@ class TestGestures:
         for step in (-10, -20):
             moved = step + box["y"] - box_of(bench)["y"]  # words above may take a line more
             one(bench, lambda step=step: bench.mouse.move(x, y + step))
-            each.append(np.log(bench.evaluate("state.loop_gain") / before) / moved)
+            each.append(np.log(bench.evaluate("state.k") / before) / moved)
         bench.mouse.up()
         assert each[1] == pytest.approx(each[0], rel=0.01)
         assert each[0] < 0
@@ -173,13 +173,13 @@ class TestGestures:
             for dy in (-8, -16, -24):
                 client.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": point(dy)})
             client.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
-            page.wait_for_function("state.loop_gain > 1.2")
+            page.wait_for_function("state.k > 1.2")
 
     def test_keys_step_the_gain_and_the_marked_frequency(self, bench):
         bench.locator(CANVAS).focus()
-        before = bench.evaluate("state.loop_gain")
+        before = bench.evaluate("state.k")
         one(bench, lambda: bench.keyboard.press("ArrowUp"))
-        assert bench.evaluate("state.loop_gain") > before
+        assert bench.evaluate("state.k") > before
         read = []
         for _ in range(6):
             bench.keyboard.press("ArrowRight")
@@ -194,9 +194,9 @@ class TestGestures:
         bench.mouse.move(x, y - 10)
         one(bench, lambda: bench.mouse.move(x, y - 25))
         bench.mouse.up()
-        assert bench.evaluate("state.loop_gain") != 1
+        assert bench.evaluate("state.k") != 1
         bench.get_by_role("button", name="undo").click()
-        bench.wait_for_function("state.loop_gain === 1")
+        bench.wait_for_function("state.k === 1")
 
 
 def found_on_curve(page: Page, box: dict, share: float, lowest: float = 0.5) -> tuple[float, float]:

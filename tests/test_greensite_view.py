@@ -56,7 +56,7 @@ def page(browser):
 
 def test_the_table_follows_python(page):
     explorer = explorers.greensite_explorer()
-    for values in ({"K_d": 0.3, "omega": 95}, {"K_z": 0.0, "loop_gain": 2.0}, {"K_p": 1.78, "omega": 110}):
+    for values in ({"K_d": 0.3, "omega": 95}, {"K_z": 0.0, "k": 2.0}, {"K_p": 1.78, "omega": 110}):
         show(page, **values)
         for name, value in values.items():
             setattr(explorer, name, value)

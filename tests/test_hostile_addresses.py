@@ -33,7 +33,7 @@ TEXTS += ["'\"`", "\u202e", "=", "a" * 3000]
 WINDOWS = ["1e308_1e308_1e308", "0_0_0", "0_0_-1", "1e308_0_1", "0_0_1e-300", "0_0_1e300", "0_0_1", "1_2_3_4"]
 WINDOWS += ["_", "NaN_0_1", "1e6_1e6_1e-7", "-4_-1_1e5", "0_0_1e-7", "-1e6_0_1e5", "0_1e308_16"]
 DESKS = ["52_57_", "20_80_map.poles", "52_57_map..poles", "99_99_map", "open", "52_57_a" + ".a" * 3000]
-COMPENSATORS = ["K_A~1~notch_3_0.05_0.5~delay_0.1_4~lead_-0.5_-20", "loop_gain~0.5~delay_1_4~poles_3_-1"]
+COMPENSATORS = ["K_A~1~notch_3_0.05_0.5~delay_0.1_4~lead_-0.5_-20", "k~0.5~delay_1_4~poles_3_-1"]
 COMPENSATORS += [
     "K_A~1e4~pole_1000~pole_0~pole_-0.01~delay_10_4~notch_1000_0_0.01",
     "K_A~1~zero_0",

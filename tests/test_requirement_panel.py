@@ -61,7 +61,7 @@ def test_the_region_is_hatched_and_goes_again(bench):
 
 def test_words_follow_the_sliders(bench):
     assert ask(bench, "phase", 20).startswith("holds")
-    show(bench, loop_gain=100.0)
+    show(bench, k=100.0)
     assert row(bench, "phase").locator(".reading").inner_text() == "does not hold: the loop is not stable"
 
 

@@ -29,7 +29,7 @@ GAINS: dict[str, tuple[str, str, str, float, float, bool]] = {
     "K_d": ("K_d", "s", "gain of the pitch rate (s)", 1e-2, 1e2, True),
     "K_z": ("K_z", "rad/m", "gain of the drift (rad/m)", 1e-5, 1e-1, True),
     "K_zdot": (r"K_{\dot z}", "rad s/m", "gain of the drift rate (rad s/m)", 1e-5, 1e-1, True),
-    "loop_gain": ("k", "", "factor of all gains", 1e-2, 1e2, False),
+    "k": ("k", "", "factor of all gains", 1e-2, 1e2, False),
 }
 """Symbol (TeX), unit, meaning, smallest and largest size, and whether of both signs."""
 UNITS = {"z": "m", "theta": "rad", "eta": "m", "delta": "rad"}
@@ -57,10 +57,10 @@ def family(notch: bool) -> Family:
     Family
         Factors: the gains, ``omega_1`` and ``omega_2``, the factor of the mode's frequency and its square.
     """
-    gains = [name for name in GAINS if name != "loop_gain"]
+    gains = [name for name in GAINS if name != "k"]
     found = Family.of(
         lambda **factors: closed_loop(notch=notch, **factors),
-        [(name, "loop_gain") for name in gains],
+        [(name, "k") for name in gains],
         tolerance=1e-12,
     )
     spring, damper = (found.states.index(f"vehicle_x_{state}") for state in ("eta", "etadot"))
@@ -120,7 +120,7 @@ def parameters() -> tuple[Parameter, ...]:
 
 def presets() -> list[dict[str, Any]]:
     """Return the printed designs, and the one whose margins come out exactly, as values of the sliders."""
-    drift = {"K_z": -1e-3, "K_zdot": -1e-3, "loop_gain": 1.0, "omega": 100}
+    drift = {"K_z": -1e-3, "K_zdot": -1e-3, "k": 1.0, "omega": 100}
     with_notch = {"K_p": WITH_NOTCH["K_p"], "K_d": WITH_NOTCH["K_d"], **drift}
     exact = {name: round(gain, 4) for name, gain in unrounded_gains().items()}
     cases = [
@@ -153,7 +153,7 @@ def sent_criteria() -> dict[str, Any]:
     return {
         **told_card(peaks, UNKNOWN, "alpha_w", "m/s"),
         "wanted": wanted_in_metres(criteria.wanted()),
-        "engine": ["loop_gain"],
+        "engine": ["k"],
         "modes": {"bending 1": ("omega", c["omega"] / 100)},
         "speed": c["V"],
     }
@@ -180,8 +180,8 @@ def payload(notch: bool, found: Forms) -> dict[str, Any]:
         "poles": open_poles(notch),
         "actuators": [],
         "branches": BRANCHES,
-        "locus_gains": [name for name in reversed(GAINS) if name != "loop_gain"],
-        "loci": [{"name": "all gains", "running": "loop_gain", "off": [], "of": "poles"}],
+        "locus_gains": [name for name in reversed(GAINS) if name != "k"],
+        "loci": [{"name": "all gains", "running": "k", "off": [], "of": "poles"}],
         "running": {**gains, "omega": {"ends": [PERCENT[0], PERCENT[-1]], "step": 1, "unit": "%"}},
         "maps": ["omega"],
         "vehicle": None,
@@ -205,7 +205,7 @@ def greensite_explorer(notch: bool = True, **values: Value) -> Explorer:
     notch : bool
         Whether the notch is in the loop.
     **values : float
-        Where the sliders start: K_p, K_d (s), K_z (rad/m), K_zdot (rad s/m), loop_gain, omega (percent of
+        Where the sliders start: K_p, K_d (s), K_z (rad/m), K_zdot (rad s/m), k, omega (percent of
         the mode's own frequency, whole).
 
     Returns

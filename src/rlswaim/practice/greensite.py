@@ -36,7 +36,7 @@ from rlswaim.source.tables import constants
 
 RIGID = ("z", "zdot", "theta", "thetadot")
 MODE = ("eta", "etadot")
-GAINS = ("K_p", "K_d", "K_z", "K_zdot", "loop_gain")
+GAINS = ("K_p", "K_d", "K_z", "K_zdot", "k")
 FOOT = 0.3048
 """Metres."""
 
@@ -94,15 +94,13 @@ def vehicle(
     )
 
 
-def _feedback(
-    states: list[str], K_p: float, K_d: float, K_z: float, K_zdot: float, loop_gain: float
-) -> NDArray:
+def _feedback(states: list[str], K_p: float, K_d: float, K_z: float, K_zdot: float, k: float) -> NDArray:
     """Return the row that makes the signal of the autopilot from the vehicle's states."""
     c = constants("greensite")
     row = {"z": K_z, "zdot": K_zdot, "theta": K_p, "thetadot": K_d}
     row["eta"] = c["sigma_ins"] * K_p - c["phi_ins"] * K_z
     row["etadot"] = c["sigma_ins"] * K_d - c["phi_ins"] * K_zdot
-    return loop_gain * np.array([[row[state] for state in states]])
+    return k * np.array([[row[state] for state in states]])
 
 
 def _engine(actuator: bool, notched: bool) -> list[control.StateSpace]:
@@ -146,7 +144,7 @@ def greensite(
     omega: float = 1.0,
     bending: bool = True,
     actuator: bool = True,
-    loop_gain: float = 1.0,
+    k: float = 1.0,
 ) -> control.StateSpace:
     """Return the open loop L(s) of Greensite's launch vehicle at t = 72 s, for negative feedback, in SI.
 
@@ -172,7 +170,7 @@ def greensite(
         Whether the bending mode is there; without it the vehicle is rigid.
     actuator : bool
         Whether actuator and delay are there; the printed rigid case has neither.
-    loop_gain : float
+    k : float
         Factor of all four gains (1).
 
     Returns

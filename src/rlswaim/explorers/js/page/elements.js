@@ -15,9 +15,13 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/** A name that stands for one letter as that letter. @param {string} name */
+export const letterOf = (name) => (name === 'omega' ? 'ω' : name);
+
 /** K_A becomes K with subscript A. @param {string} name */
 export function symbol(name) {
-  const [letter, index] = name.split('_');
+  const [word, index] = name.split('_');
+  const letter = letterOf(word);
   return index ? [element('i', {}, letter), element('sub', {}, index)] : [letter];
 }
 

@@ -6,7 +6,7 @@ import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { number } from '../drawing/numbers.js';
 import { poleMapping } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
-import { element, panel, picture, select, set } from '../page/elements.js';
+import { element, letterOf, panel, picture, select, set } from '../page/elements.js';
 import { movable } from '../page/movable_point.js';
 import { inSlices, slice } from '../page/slices.js';
 
@@ -114,7 +114,7 @@ export class MapPanel {
       system.running[state.station],
     );
     const still = `${number(state.values[state.station])} ${unit}`;
-    const range = `${state.station} from ${ends.join(' to ')} ${unit}, filled marks at ${still}`;
+    const range = `${letterOf(state.station)} from ${ends.join(' to ')} ${unit}, filled marks at ${still}`;
     set(this.panel.extra, sides.length ? range : 'no influence: the feedback leaves out the bending');
     this.list.choose(state.shown.map);
   }
