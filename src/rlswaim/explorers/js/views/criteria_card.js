@@ -21,9 +21,9 @@ const VERDICT = new Map([
   [null, 'nothing asked'],
 ]);
 
-/** @param {number} value @param {string} unit */
+/** A number and its unit stay on one line. @param {number} value @param {string} unit */
 const withUnit = (value, unit) =>
-  [number(value, DIGITS), UNIT[unit] ?? unit].join(/^deg/.test(unit) ? '' : ' ').trim();
+  [number(value, DIGITS), UNIT[unit] ?? unit].join(/^deg/.test(unit) ? '' : '\u00a0').trim();
 
 /** A value in words where it is no number. @param {Criterion} criterion @param {Asked} asked */
 function valueWords({ name, value, unit, atMost }, { settling }) {
@@ -92,7 +92,7 @@ export class CriteriaCard {
     const met = isMet(criterion);
     const [value, wanted, verdict] = [...row.cells].slice(1);
     set(value, valueWords(criterion, asked));
-    set(wanted, bound === null ? '' : `${atMost ? '≤' : '≥'} ${withUnit(bound, unit)}`);
+    set(wanted, bound === null ? '' : `${atMost ? '≤' : '≥'}\u00a0${withUnit(bound, unit)}`);
     const isNear = bound !== null && number(criterion.value, DIGITS) === number(bound, DIGITS);
     set(verdict, `${isNear ? 'just ' : ''}${VERDICT.get(met)}`);
     verdict.className = met === null ? 'fine' : met ? 'stable' : 'unstable';
