@@ -167,6 +167,16 @@ def test_groups_near_each_other_in_both_fit_both(seed):
         assert misfit(np.polyadd(den, gain * num)[::-1], roots) < 1e-12
 
 
+def test_of_a_group_in_both_only_what_is_common_stands_still():
+    """A double zero at one of three pole pairs: multiplied out, the loop crosses where its factors do."""
+    pair, other = np.array([-0.002 + 28.05j, -0.002 - 28.05j]), np.array([-0.001 + 28.05j, -0.001 - 28.05j])
+    zeros, poles = [*pair, *pair], [*pair, *other, *other, -3]
+    wanted = rl.root_locus((zeros, poles, 1.0), [0.0]).crossings
+    found = rl.root_locus(control.tf(np.poly(zeros).real, np.poly(poles).real), [0.0])
+    assert found.loop.resting.size == 2
+    np.testing.assert_allclose(np.array(found.crossings), np.array(wanted), rtol=1e-9)
+
+
 def test_a_root_that_all_but_vanishes_does_not_decide_which_roots_fit():
     """Where a root passes the origin the last coefficient is rounding alone, and says nothing of others."""
     num = np.array([-2.5, 10.0005, -10.027, 2.0051e-3, -1.0025e-7])

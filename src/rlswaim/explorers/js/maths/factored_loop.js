@@ -1,7 +1,8 @@
 // An open loop as distinct poles and zeros, without what they have in common: what break-aways and crossings
 // are found from.
+import { agreeing, cancelled, isSame } from './common_factors.js';
 import { distinctRoots } from './multiple_roots.js';
-import { distance, EPS, evaluate, ROUNDING, termsAt, trimmed } from './polynomials.js';
+import { EPS, evaluate, ROUNDING, termsAt, trimmed } from './polynomials.js';
 
 /** @typedef {import('./polynomials.js').Coefficients} Coefficients */
 /** @typedef {import('./polynomials.js').Complex} Complex */
@@ -22,8 +23,6 @@ import { distance, EPS, evaluate, ROUNDING, termsAt, trimmed } from './polynomia
  * }} FactoredLoop
  */
 
-const NEAR = 1e-3; // no two points farther apart than this part of their size are taken for one
-
 /**
  * @param {PolynomialLoop | FactorLoop} loop
  * @returns {FactoredLoop}
@@ -36,7 +35,7 @@ export const factored = (loop) => ('poles' in loop ? fromFactors(loop) : fromPol
  */
 function fromFactors({ poles, zeros, gain }) {
   const parts = { poles: gathered(poles), zeros: gathered(zeros) };
-  const common = cancelled(parts, (z, p) => z.x === p.x && z.y === p.y);
+  const common = cancelled(parts, isSame).map(({ pole, count }) => ({ ...pole, count }));
   const all = [...parts.poles, ...parts.zeros];
   return {
     ...parts,
@@ -60,10 +59,14 @@ function fromPolynomials({ D, N, sizes }) {
     poles: { c: d, sizes: sizes ? sizes.D.subarray(resting) : d },
     zeros: { c: n, sizes: sizes ? sizes.N.subarray(resting) : n },
   };
-  const parts = { poles: distinctRoots(d, data.poles.sizes), zeros: distinctRoots(n, data.zeros.sizes) };
+  const all = { poles: distinctRoots(d, data.poles.sizes), zeros: distinctRoots(n, data.zeros.sizes) };
   /** @type {FactoredLoop['isRoot']} */
   const isRoot = (of, x, y) => rests(data[of].c, data[of].sizes, x, y);
-  const common = cancelled(parts, (z, p) => isRoot('poles', z.x, z.y) || isRoot('zeros', p.x, p.y));
+  const { common, ...parts } = agreeing(
+    all,
+    data,
+    (z, p) => isRoot('poles', z.x, z.y) || isRoot('zeros', p.x, p.y),
+  );
   return {
     ...parts,
     common: resting > 0 ? [{ x: 0, y: 0, count: resting }, ...common] : common,
@@ -117,38 +120,6 @@ function gathered({ x, y }) {
     found.set(key, root);
   }
   return [...found.values()];
-}
-
-// Takes out of poles and zeros what they have in common, nearest ones first, and returns it. A real zero
-// meets a real pole only, and one above the axis a pole there: pairs stay pairs.
-/**
- * @param {{ poles: Root[], zeros: Root[] }} parts
- * @param {(zero: Root, pole: Root) => boolean} same
- * @returns {Root[]}
- */
-function cancelled(parts, same) {
-  /** @type {{ zero: Root, pole: Root, apart: number }[]} */
-  const pairs = [];
-  for (const zero of parts.zeros) {
-    for (const pole of parts.poles) {
-      const apart = distance(zero.x - pole.x, zero.y - pole.y);
-      const areAlike = Math.sign(zero.y) === Math.sign(pole.y);
-      if (areAlike && apart <= NEAR * distance(pole.x, pole.y)) pairs.push({ zero, pole, apart });
-    }
-  }
-  if (pairs.length === 0) return [];
-  /** @type {Root[]} */
-  const common = [];
-  for (const { zero, pole } of pairs.sort((a, b) => a.apart - b.apart)) {
-    const count = Math.min(zero.count, pole.count);
-    if (count === 0 || !same(zero, pole)) continue;
-    zero.count -= count;
-    pole.count -= count;
-    common.push({ x: pole.x, y: pole.y, count });
-  }
-  parts.poles = parts.poles.filter((root) => root.count > 0);
-  parts.zeros = parts.zeros.filter((root) => root.count > 0);
-  return common;
 }
 
 /**

@@ -94,19 +94,46 @@ export const misfit = (c, sizes, roots) =>
  * @returns {Root[] | null}
  */
 export function fittedRoots(c, sizes, start) {
-  let roots = start;
+  const places = fittedTogether([{ c, sizes }], start, [start.map(({ count }) => count)]);
+  return places ? places.map((place, i) => ({ ...place, count: start[i].count })) : null;
+}
+
+/**
+ * The same for several polynomials that have roots in common: where the roots are.
+ * @param {{ c: Coefficients, sizes: Coefficients }[]} polynomials
+ * @param {{ x: number, y: number }[]} start one of each pair
+ * @param {number[][]} counts how often each polynomial has each
+ * @returns {{ x: number, y: number }[] | null}
+ */
+export function fittedTogether(polynomials, start, counts) {
+  let places = start;
   for (let step = 0; ; step++) {
-    const { off, unit } = offOf(c, sizes, roots);
-    if (off.every((v) => Math.abs(v) <= ROUNDING * c.length)) return roots;
+    const sets = counts.map((each) => places.map(({ x, y }, i) => ({ x, y, count: each[i] })));
+    const parts = polynomials.map(({ c, sizes }, p) => offOf(c, sizes, sets[p]));
+    const fits = parts.every(({ off }) => off.every((v) => Math.abs(v) <= ROUNDING * off.length));
+    if (fits) return places;
     if (step === STEPS) return null;
-    const columns = roots.flatMap((root) => slopesAt(roots, root));
-    const scaled = columns.map((column) => unit.map((u, k) => (column[k] ?? 0) / u));
-    const moves = leastSquares(scaled, off);
-    roots = roots.map((root) => {
-      const { x, y, count } = root;
-      if (x === 0 && y === 0) return root;
-      const dx = moves.shift() ?? 0;
-      return { x: x - dx, y: y === 0 ? 0 : y - (moves.shift() ?? 0), count };
+    const columns = places.map((_, i) => columnsOf(sets, parts, i));
+    const moves = leastSquares(columns.flat(), Float64Array.from(parts.flatMap(({ off }) => [...off])));
+    places = places.map(({ x, y }, i) => {
+      const [dx, dy = 0] = moves.splice(0, columns[i].length);
+      return { x: x - (dx ?? 0), y: y - dy };
     });
   }
+}
+
+/**
+ * How all coefficients of all polynomials change with the real part of a root and, of a pair, with its
+ * imaginary part; nothing of one at the origin, which is exact.
+ * @param {Root[][]} sets @param {{ unit: Float64Array }[]} parts @param {number} i
+ */
+function columnsOf(sets, parts, i) {
+  const { x, y } = sets[0][i];
+  const ways = x === 0 && y === 0 ? 0 : y === 0 ? 1 : 2;
+  const slopes = sets.map((set) => (set[i].count > 0 ? slopesAt(set, set[i]) : []));
+  return Array.from({ length: ways }, (_, way) =>
+    Float64Array.from(
+      parts.flatMap(({ unit }, p) => Array.from(unit, (u, k) => (slopes[p][way]?.[k] ?? 0) / u)),
+    ),
+  );
 }

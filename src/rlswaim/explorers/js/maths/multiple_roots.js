@@ -61,7 +61,7 @@ function grouped(c, sizes, { x, y }, widest) {
 }
 
 /** Each root of a real function that lies above the axis, with its conjugate. @param {Root[]} upper */
-const withPairs = (upper) =>
+export const withPairs = (upper) =>
   upper.flatMap((root) => (root.y === 0 ? [root] : [root, { ...root, y: -root.y }]));
 
 // For each root the number of its conjugate, its own if it is real: nearest ones first. A root that has lost
