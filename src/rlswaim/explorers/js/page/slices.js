@@ -47,6 +47,7 @@ export function inSlices(steps, ms, receive, delay) {
 }
 
 const SPARE = 3; // ms of rest that are left to the page
+const LONGEST = 4; // ms: a key that comes in a rest waits no longer
 
 /**
  * Goes on with work while the page rests, where the browser tells when it does.
@@ -54,7 +55,7 @@ const SPARE = 3; // ms of rest that are left to the page
  */
 export function whileResting(steps) {
   globalThis.requestIdleCallback?.((rest) => {
-    const time = rest.timeRemaining() - SPARE;
+    const time = Math.min(rest.timeRemaining() - SPARE, LONGEST);
     if (time <= 0 || !slice(steps, time).done) whileResting(steps);
   });
 }
