@@ -88,7 +88,7 @@ def test_loop_that_is_not_stable_has_no_margins(card):
     _, explorer, page, at = card
     rows = {row[0]: row for row in at(explorer.payload["initial"] | {"K_A": -900.0})}
     assert "not stable" in page.locator(f"{CARD} p.criteria").inner_text()
-    assert rows["disk"][2:] == ["none", "≥ 0.5", "not met"]
+    assert rows["disk"][2:] == ["none", "≥\N{NO-BREAK SPACE}0.5", "not met"]
     assert rows[f"moment {STATIONS[0]:g}"][2:] == ["without end", "", "nothing asked"]
     assert rows["settling"][2] == "not within 60 s"
 

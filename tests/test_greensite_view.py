@@ -84,7 +84,7 @@ def test_the_call_of_the_library_gives_the_poles_shown(page):
 
 def test_there_is_a_map_of_the_frequency_and_no_panel_of_the_shape(page):
     page.locator("canvas[data-plane=map]").scroll_into_view_if_needed()
-    words = "el.querySelector('[data-panel=map] small').textContent.startsWith('omega from 80 to 120 %')"
+    words = "el.querySelector('[data-panel=map] small').textContent.startsWith('ω from 80 to 120 %')"
     page.wait_for_function(words)
     assert page.locator("[data-panel=mode]").count() == 0
     responses = page.locator("canvas[data-plane=responses]")
