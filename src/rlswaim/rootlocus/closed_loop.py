@@ -211,7 +211,7 @@ class ClosedLoop:
         roots, paired = _in_pairs(roots)
         for at in np.flatnonzero(~(found & paired & self._complete(gains, roots))):
             anew = self._anew(gains[at : at + 1], guess[:, at])
-            roots[:, at] = self._nearer(gains[at], anew, real_and_conjugate(roots[:, at]))
+            roots[:, at] = self._best_fit(gains[at], anew, real_and_conjugate(roots[:, at]))
             with np.errstate(all="ignore"):
                 slopes(roots[:, [at]], np.array([at]))
         return roots, np.where(meet | ~np.isfinite(tangents), 0, tangents)
@@ -228,7 +228,7 @@ class ClosedLoop:
             values = again.values if again.found[0] else values
         return real_and_conjugate(values[:, 0])
 
-    def _nearer(self, gain: float, *found: NDArray) -> NDArray:
+    def _best_fit(self, gain: float, *found: NDArray) -> NDArray:
         """Return of several sets of scaled roots the one that fits the polynomial at a ``gain`` best."""
         D, N = (np.atleast_1d(np.poly(part)).real for part in self.factors)
         kN = gain * self.gain * np.append(np.zeros(D.size - N.size), N)

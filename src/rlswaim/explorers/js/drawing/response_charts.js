@@ -1,5 +1,6 @@
 // Responses in time as small pictures side by side: one for each quantity, with axes and units.
 import { write } from './context.js';
+import { letterOf } from './letters.js';
 import { line } from './marks.js';
 import { grid, ground, Plane } from './plane.js';
 import { stepOf } from './ticks.js';
@@ -10,8 +11,6 @@ import { frameOf, viewOf } from './view.js';
 
 const ROW = 118;
 const MARGIN = { left: 50, right: 8, top: 18, bottom: 20 };
-/** @type {Record<string, string>} */
-export const LETTER = { eta: 'η', alpha: 'α', theta: 'θ', q1: 'q₁', q2: 'q₂', delta: 'δ', delta_r: 'δᵣ' };
 /** @type {Record<string, string>} */
 const BRANCH = {
   z: 'drift',
@@ -95,7 +94,7 @@ export function drawResponses(g, width, height, theme, times, responses, units) 
     const color = theme.color(BRANCH[name]) ?? theme.ink;
     const curve = Array.from(times, (t, k) => [t, values[k]]);
     const plane = new Plane(g, view, theme).layers(ground, grid(every, step)).numbers(every, step);
-    write(g, unit ? `${LETTER[name] ?? name} (${unit})` : name, frame.x, frame.y - 9, theme.ink, 'left');
+    write(g, unit ? `${letterOf(name)} (${unit})` : name, frame.x, frame.y - 9, theme.ink, 'left');
     write(g, 't (s)', frame.x + frame.w, frame.y - 9, theme.muted, 'right');
     line(
       [

@@ -15,43 +15,41 @@ const NEAR = 1e-3; // no two points farther apart than this part of their size a
 const SAME = 64 * EPS; // points that differ by so much of their size are the same
 
 /** @param {Place} a @param {Place} b */
-export const isSame = (a, b) => a.x === b.x && a.y === b.y;
+const isSame = (a, b) => a.x === b.x && a.y === b.y;
 
 /**
- * Takes out of poles and zeros what they have in common, nearest ones first, and returns it. A real zero
- * meets a real pole only, and one above the axis a pole there: pairs stay pairs.
- * @param {Parts} parts
+ * What poles and zeros have in common, nearest ones first, and the rest of them. A real zero meets a real
+ * pole only, and one above the axis a pole there: pairs stay pairs.
+ * @param {Parts} all
  * @param {(zero: Root, pole: Root) => boolean} same
  * @param {boolean} [once] one of each distinct point
- * @returns {Met[]}
+ * @returns {Parts & { met: Met[] }}
  */
-export function cancelled(parts, same, once = false) {
+function cancelled({ poles, zeros }, same, once = false) {
   /** @type {{ zero: Root, pole: Root, apart: number }[]} */
   const pairs = [];
-  for (const zero of parts.zeros) {
-    for (const pole of parts.poles) {
+  for (const zero of zeros) {
+    for (const pole of poles) {
       const apart = distance(zero.x - pole.x, zero.y - pole.y);
       const areAlike = Math.sign(zero.y) === Math.sign(pole.y);
       if (areAlike && apart <= NEAR * distance(pole.x, pole.y)) pairs.push({ zero, pole, apart });
     }
   }
-  if (pairs.length === 0) return [];
+  if (pairs.length === 0) return { poles, zeros, met: [] };
+  const left = new Map([...poles, ...zeros].map((root) => [root, root.count]));
+  const leftOf = (/** @type {Root} */ root) => left.get(root) ?? 0;
   /** @type {Met[]} */
   const met = [];
-  const used = new Set();
   for (const { zero, pole } of pairs.sort((a, b) => a.apart - b.apart)) {
-    const count = once ? 1 : Math.min(zero.count, pole.count);
-    if (Math.min(zero.count, pole.count) === 0 || !same(zero, pole)) continue;
-    if (once && (used.has(zero) || used.has(pole))) continue;
-    for (const root of [zero, pole]) {
-      root.count -= count;
-      used.add(root);
-    }
-    met.push({ zero: { x: zero.x, y: zero.y }, pole: { x: pole.x, y: pole.y }, count });
+    const isUsed = leftOf(zero) < zero.count || leftOf(pole) < pole.count;
+    const most = once ? Number(!isUsed) : Math.min(leftOf(zero), leftOf(pole));
+    if (most === 0 || !same(zero, pole)) continue;
+    for (const root of [zero, pole]) left.set(root, leftOf(root) - most);
+    met.push({ zero, pole, count: most });
   }
-  parts.poles = parts.poles.filter((root) => root.count > 0);
-  parts.zeros = parts.zeros.filter((root) => root.count > 0);
-  return met;
+  const rest = (/** @type {Root[]} */ roots) =>
+    roots.map((root) => ({ ...root, count: leftOf(root) })).filter(({ count }) => count > 0);
+  return { poles: rest(poles), zeros: rest(zeros), met };
 }
 
 /**
@@ -64,21 +62,24 @@ export function cancelled(parts, same, once = false) {
  * @returns {Parts & { common: Root[] }}
  */
 export function agreeing(all, data, same) {
-  const upper = ({ poles, zeros } = all) => ({
-    poles: poles.filter(({ y }) => y >= 0).map((root) => ({ ...root })),
-    zeros: zeros.filter(({ y }) => y >= 0).map((root) => ({ ...root })),
-  });
+  const upper = { poles: onePerPair(all.poles), zeros: onePerPair(all.zeros) };
   for (const once of [false, true]) {
-    const left = upper();
-    const met = cancelled(left, same, once);
+    const { met, ...left } = cancelled(upper, same, once);
     if (met.every(({ zero, pole }) => isSame(zero, pole))) break;
     const found = sharing(left, met, data);
     if (found) return found;
   }
-  const left = upper();
-  const common = cancelled(left, isSame).map(({ pole, count }) => ({ ...pole, count }));
-  return { poles: withPairs(left.poles), zeros: withPairs(left.zeros), common: withPairs(common) };
+  return withoutEqual(all);
 }
+
+/** Poles and zeros without those that are exactly equal, and these. @param {Parts} all */
+export function withoutEqual(all) {
+  const { met, ...left } = cancelled(all, isSame);
+  return { ...left, common: met.map(({ pole: { x, y }, count }) => ({ x, y, count })) };
+}
+
+/** @param {Root[]} roots */
+const onePerPair = (roots) => roots.filter(({ y }) => y >= 0);
 
 /**
  * Either the zeros' places or the poles' are taken for the common ones; the others of the other polynomial
@@ -92,7 +93,7 @@ function sharing(left, met, data) {
     const other = known === 'zeros' ? 'poles' : 'zeros';
     const shared = met.map(({ zero, pole, count }) => ({ ...(known === 'zeros' ? zero : pole), count }));
     const quotient = shared.reduce(divided, data[other].c);
-    const ofQuotient = distinctRoots(quotient, quotient).filter(({ y }) => y >= 0);
+    const ofQuotient = onePerPair(distinctRoots(quotient, quotient));
     for (const rest of [ofQuotient, left[other]]) {
       const found = fittedToBoth({ ...left, [other]: rest }, shared, data);
       if (found) return found;

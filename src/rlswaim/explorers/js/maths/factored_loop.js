@@ -1,6 +1,6 @@
 // An open loop as distinct poles and zeros, without what they have in common: what break-aways and crossings
 // are found from.
-import { agreeing, cancelled, isSame } from './common_factors.js';
+import { agreeing, withoutEqual } from './common_factors.js';
 import { distinctRoots } from './multiple_roots.js';
 import { EPS, evaluate, ROUNDING, termsAt, trimmed } from './polynomials.js';
 
@@ -34,8 +34,7 @@ export const factored = (loop) => ('poles' in loop ? fromFactors(loop) : fromPol
  * @returns {FactoredLoop}
  */
 function fromFactors({ poles, zeros, gain }) {
-  const parts = { poles: gathered(poles), zeros: gathered(zeros) };
-  const common = cancelled(parts, isSame).map(({ pole, count }) => ({ ...pole, count }));
+  const { common, ...parts } = withoutEqual({ poles: gathered(poles), zeros: gathered(zeros) });
   const all = [...parts.poles, ...parts.zeros];
   return {
     ...parts,

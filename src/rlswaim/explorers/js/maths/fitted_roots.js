@@ -116,8 +116,8 @@ export function fittedTogether(polynomials, start, counts) {
     const columns = places.map((_, i) => columnsOf(sets, parts, i));
     const moves = leastSquares(columns.flat(), Float64Array.from(parts.flatMap(({ off }) => [...off])));
     places = places.map(({ x, y }, i) => {
-      const [dx, dy = 0] = moves.splice(0, columns[i].length);
-      return { x: x - (dx ?? 0), y: y - dy };
+      const [dx = 0, dy = 0] = moves.splice(0, columns[i].length);
+      return { x: x - dx, y: y - dy };
     });
   }
 }

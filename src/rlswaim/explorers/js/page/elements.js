@@ -1,4 +1,5 @@
 // Elements of a page: how they are made, and how their texts change.
+import { letterOf } from '../drawing/letters.js';
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -14,9 +15,6 @@ export function element(tag, attributes = {}, ...children) {
   made.append(...children);
   return made;
 }
-
-/** A name that stands for one letter as that letter. @param {string} name */
-export const letterOf = (name) => (name === 'omega' ? 'ω' : name);
 
 /** K_A becomes K with subscript A. @param {string} name */
 export function symbol(name) {

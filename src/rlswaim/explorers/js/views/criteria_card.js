@@ -1,8 +1,8 @@
 // A card with what an engineer asks of a loop: the criteria of chapter XVI for the gains that are set, with
 // their bounds, and whether each is met.
 
+import { letterOf } from '../drawing/letters.js';
 import { number } from '../drawing/numbers.js';
-import { LETTER } from '../drawing/response_charts.js';
 import { evaluateCriteria, isMet } from '../maths/criteria.js';
 import { once } from '../maths/kept_values.js';
 import { placesOf } from '../maths/open_loop.js';
@@ -38,7 +38,7 @@ function labelOf(name, { peaks, settling, margins }) {
   const timed = name === 'settling' ? settling : peaks.find((peak) => peak.name === name);
   if (timed) {
     const { symbol, says } = timed;
-    return symbol ? [element('i', {}, LETTER[symbol]), ` ${says}`] : [says];
+    return symbol ? [element('i', {}, letterOf(symbol)), ` ${says}`] : [says];
   }
   const kind = Object.keys(margins).find((each) => name.endsWith(` ${each}`));
   return [kind ? `${name.slice(0, -kind.length - 1)}: ${margins[kind]}` : `${name} margin`];

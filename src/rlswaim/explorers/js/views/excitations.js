@@ -1,4 +1,5 @@
 // What a loop can be excited with, and the choices of a response's length.
+import { letterOf } from '../drawing/letters.js';
 import { inputsOf } from '../maths/terms.js';
 
 /** @import { System } from '../types.d.ts' */
@@ -6,11 +7,8 @@ import { inputsOf } from '../maths/terms.js';
 
 const DEGREE = Math.PI / 180;
 /** @type {Record<string, string>} */
-const ANGLES = { alpha: 'α', theta: 'θ' };
-/** @type {Record<string, string>} */
 const WINDS = { alpha_g: 'α_g', alpha_w: 'α_w' };
-/** @type {Record<string, string>} */
-const FEET = { q1: 'q₁', q2: 'q₂' };
+const FEET = ['q1', 'q2'];
 export const DURATIONS = [1, 2, 5, 10, 20, 50, 100, 200, 500];
 export const GUSTS = [0.2, 0.5, 1, 2, 5, 10];
 
@@ -20,8 +18,8 @@ function excitationOf(input) {
   if (input === 'theta_c') return { input, kind: 'step', amplitude: DEGREE, text: 'step of 1° in θ_c' };
   if (WINDS[input])
     return { input, kind: 'gust', amplitude: DEGREE, text: `1 − cos gust of 1° in ${WINDS[input]}` };
-  if (FEET[name]) return { input, kind: 'initial', amplitude: 1, text: `${FEET[name]} of 1 ft at the start` };
-  return { input, kind: 'initial', amplitude: DEGREE, text: `${ANGLES[name] ?? name} of 1° at the start` };
+  const [amplitude, size] = FEET.includes(name) ? [1, '1 ft'] : [DEGREE, '1°'];
+  return { input, kind: 'initial', amplitude, text: `${letterOf(name)} of ${size} at the start` };
 }
 
 /** @param {System} system @returns {Excitation[]} */

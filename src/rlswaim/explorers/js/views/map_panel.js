@@ -1,12 +1,13 @@
 // The closed-loop poles as a station runs along the vehicle; a click picks the station, a drag moves it.
 import { fitted, windowOf, withinReach } from '../drawing/camera.js';
 import { contextOf } from '../drawing/context.js';
+import { letterOf } from '../drawing/letters.js';
 import { drawMap } from '../drawing/locus_pictures.js';
 import { nearestOn, nearestPole } from '../drawing/nearest.js';
 import { number } from '../drawing/numbers.js';
 import { poleMapping } from '../maths/locus.js';
 import { namedPoles } from '../maths/open_loop.js';
-import { element, letterOf, panel, picture, select, set } from '../page/elements.js';
+import { element, panel, picture, select, set } from '../page/elements.js';
 import { movable } from '../page/movable_point.js';
 import { inSlices, slice } from '../page/slices.js';
 
